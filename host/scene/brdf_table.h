@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parameter table of a reflectance model, read from the model's own kernel file.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace lobe {
+
+class KernelText;
+
+enum class BrdfParameterKind { color, number, integer, choice };
+
+struct BrdfParameter {
+    BrdfParameterKind kind;
+    std::string name;
+    double standard, lowest, highest;  // default and closed range; each channel of a colour
+    std::vector<std::string> choices;  // of a choice, in order of their numbers
+    std::string meaning;
+};
+
+struct BrdfTable {
+    std::string name;  // "rational"
+    std::string file;  // "brdf/rational.h"
+    std::vector<BrdfParameter> parameters;
+
+    // Place of a parameter by name, or -1.
+    int find(const std::string& parameter) const;
+    // One row a parameter, filled with the defaults.
+    std::vector<std::array<float, 4>> default_rows() const;
+};
+
+// The table in a kernel file's text. Throws Error (scene) with file:line for a row that is not
+// P(kind, name, default, lowest, highest, "meaning") or whose default lies outside its range.
+BrdfTable parse_brdf_table(const std::string& file, const std::string& text);
+
+// All models of kernels/brdf: the files that define NAME_parameters, sorted by name.
+std::vector<BrdfTable> read_brdf_tables(const KernelText& kernels);
+
+}  // namespace lobe

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The contract every reflectance model keeps. README.md beside this file explains it with an
+// example; here are the types and the macros that turn a model's parameter table into code.
+#ifndef LOBE_BRDF_BRDF_H
+#define LOBE_BRDF_BRDF_H
+
+#include "core/vec.h"
+#include "shared/types.h"
+
+// What a model claims of itself: NAME_traits is a sum of these.
+#define LOBE_BRDF_RECIPROCAL 1        // f(wo, wi) = f(wi, wo)
+#define LOBE_BRDF_CONSERVES_ENERGY 2  // albedo at most 1 for parameters within their documented sum
+
+// Room for the prepared form of a material of any model, in bytes.
+#define LOBE_PREPARED_BYTES 512
+
+// What NAME_sample gives: a direction in the shading frame, its density per solid angle, and the
+// weight f |cos theta_i| / pdf. A weight of zero means "no sample". For a delta lobe, `delta` is
+// set, pdf is the probability with which the lobe was chosen, and weight is its reflectance
+// divided by that probability.
+typedef struct {
+    real3 wi;
+    real pdf;
+    real3 weight;
+    int delta;
+} BrdfSample;
+
+BrdfSample brdf_no_sample(void) {
+    BrdfSample sample;
+    sample.wi = (real3)(0, 0, 1);
+    sample.pdf = 0;
+    sample.weight = (real3)(0);
+    sample.delta = 0;
+    return sample;
+}
+
+// A parameter table NAME_parameters(P) of rows P(kind, name, default, lowest, highest, meaning)
+// becomes a struct NAME_values with one member a row, and a loader from rows of 16 bytes.
+#define LOBE_MEMBER_color(name) real3 name;
+#define LOBE_MEMBER_number(name) real name;
+#define LOBE_MEMBER_integer(name) int name;
+#define LOBE_MEMBER_choice(name) int name;
+#define LOBE_MEMBER(kind, name, standard, lowest, highest, meaning) LOBE_MEMBER_##kind(name)
+
+#define LOBE_LOAD_color(row) (real3)((row).x, (row).y, (row).z)
+#define LOBE_LOAD_number(row) (row).x
+#define LOBE_LOAD_integer(row) (int)(row).x
+#define LOBE_LOAD_choice(row) (int)(row).x
+#define LOBE_LOAD(kind, name, standard, lowest, highest, meaning) \
+    values.name = LOBE_LOAD_##kind(*row);                         \
+    ++row;
+
+#define LOBE_BRDF_VALUES(NAME)                                   \
+    typedef struct {                                             \
+        NAME##_parameters(LOBE_MEMBER)                           \
+    } NAME##_values;                                             \
+    NAME##_values NAME##_load(global const LobeRow* row) {       \
+        NAME##_values values;                                    \
+        NAME##_parameters(LOBE_LOAD) return values;              \
+    }
+
+#endif
