@@ -42,6 +42,10 @@ class Error : public std::runtime_error {
 template <typename Names>
 std::string nearest_name(const std::string& name, const Names& candidates);
 
+// Text with every byte that could play tricks on a terminal written as \n, \t or \xNN: control
+// bytes, and bytes that are not UTF-8.
+std::string printable(const std::string& text);
+
 // Number of single-character edits (insert, delete, replace, swap neighbours) between a and b.
 unsigned edit_distance(const std::string& a, const std::string& b);
 

@@ -69,7 +69,7 @@ struct Camera {
     std::optional<std::array<double, 4>> screen_window;
 };
 
-struct Film {
+struct FilmSettings {
     std::uint32_t width = 640, height = 480;
     std::array<double, 4> crop{0, 1, 0, 1};  // x0, x1, y0, y1 as fractions
     std::string filename;                    // what the scene file asks for, or empty
@@ -90,7 +90,7 @@ struct Scene {
     std::string path;
     Dialect dialect = Dialect::automatic;  // never automatic once read
     Camera camera;
-    Film film;
+    FilmSettings film;
     Filter filter;
     std::uint32_t samples_per_pixel = 16;
     std::uint32_t max_depth = 5;  // scattering events of a path

@@ -35,7 +35,7 @@ typedef struct LobeFrame {
     // constant environment: radiance
     float environment_r, environment_g, environment_b, pad7;
 } LobeFrame;
-LOBE_ASSERT_SIZE(LobeFrame, 176);
+LOBE_ASSERT_SIZE(LobeFrame, 192);
 
 // One pixel's block: for each replicate the sum of radiance over its samples, and in w how many
 // of them saw a light directly (an exact count).

@@ -6,7 +6,7 @@
 #ifndef LOBE_SHARED_LAYOUT_H
 #define LOBE_SHARED_LAYOUT_H
 
-#ifdef __OPENCL_VERSION__
+#ifndef __cplusplus
 typedef uint LobeUint;
 typedef int LobeInt;
 #define LOBE_ASSERT_SIZE(type, bytes) \

@@ -83,6 +83,7 @@ LOBE_ASSERT_SIZE(LobeRow, 16);
 #define LOBE_LIGHT_POINT 2u
 #define LOBE_LIGHT_DISTANT 3u
 #define LOBE_LIGHT_TWO_SIDED 1u
+#define LOBE_LIGHT_FLIPPED 2u  // light leaves against the winding of the triangle (or inwards)
 
 typedef struct LobeLight {
     LobeUint kind, primitive, flags;

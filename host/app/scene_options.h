@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options of every verb that reads a scene, and what they change in it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/brdf_table.h"
+#include "scene/scene.h"
+
+namespace lobe {
+
+struct SceneOptions {
+    std::string path;
+    std::string resolution, crop, filter, dialect = "auto", features = "auto";
+    std::vector<std::string> replace;
+    std::optional<double> replace_n;
+    std::optional<std::uint32_t> spp, max_depth;
+    bool lenient = false;
+};
+
+void add_scene_options(CLI::App& verb, SceneOptions& options);
+
+// The scene file as the options want it. Throws Error (usage) for an option that makes no sense.
+Scene read_scene_for(const SceneOptions& options, const std::vector<BrdfTable>& models);
+
+}  // namespace lobe

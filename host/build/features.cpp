@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "build/features.h"
+
+#include <algorithm>
+#include <set>
+
+namespace lobe {
+namespace {
+
+FeatureSet named_features() {
+    FeatureSet set;
+    std::size_t i = 0;
+#define LOBE_FEATURE(id, text) \
+    set[i].name = #id;         \
+    set[i++].meaning = text;
+#include "shared/features.def"
+#undef LOBE_FEATURE
+    return set;
+}
+
+class Derivation {
+  public:
+    // The first object that asks is the reason given.
+    void need(Feature feature, const std::string& reason) {
+        FeatureState& state = set_[static_cast<std::size_t>(feature)];
+        if (!state.in) state.reason = reason;
+        state.in = true;
+    }
+    void spare(Feature feature, const std::string& reason) {
+        FeatureState& state = set_[static_cast<std::size_t>(feature)];
+        if (!state.in) state.reason = reason;
+    }
+    FeatureSet set() const { return set_; }
+
+  private:
+    FeatureSet set_ = named_features();
+};
+
+}  // namespace
+
+FeatureSet derive_features(const Scene& scene) {
+    Derivation d;
+    for (const Shape& shape : scene.shapes) {
+        const bool sphere = std::holds_alternative<Sphere>(shape.geometry);
+        d.need(sphere ? Feature::SPHERES : Feature::TRIANGLES, "shape at " + shape.where);
+        if (shape.emission)
+            d.need(sphere ? Feature::SPHERE_LIGHTS : Feature::TRIANGLE_LIGHTS,
+                   "emitting shape at " + shape.where);
+    }
+    if (!scene.point_lights.empty()) d.need(Feature::POINT_LIGHTS, "a point light");
+    if (!scene.distant_lights.empty()) d.need(Feature::DISTANT_LIGHTS, "a distant light");
+    if (scene.environment) d.need(Feature::ENVIRONMENT, "an infinite light");
+    if (scene.camera.lens_radius > 0) d.need(Feature::THIN_LENS, "the camera's lens radius");
+    if (scene.filter.kind != FilterKind::box) d.need(Feature::FILTER_TABLE, "the pixel filter");
+
+    d.spare(Feature::SPHERES, "no shape is a sphere");
+    d.spare(Feature::TRIANGLES, "no shape has triangles");
+    d.spare(Feature::SPHERE_LIGHTS, "no sphere emits");
+    d.spare(Feature::TRIANGLE_LIGHTS, "no triangle emits");
+    d.spare(Feature::POINT_LIGHTS, "no point light");
+    d.spare(Feature::DISTANT_LIGHTS, "no distant light");
+    d.spare(Feature::ENVIRONMENT, "no infinite light");
+    d.spare(Feature::THIN_LENS, "the camera is a pinhole");
+    d.spare(Feature::FILTER_TABLE, "the pixel filter is a box");
+    return d.set();
+}
+
+FeatureSet all_features() {
+    FeatureSet set = named_features();
+    for (FeatureState& state : set) {
+        state.in = true;
+        state.reason = "asked for";
+    }
+    return set;
+}
+
+std::vector<std::string> models_in_use(const Scene& scene) {
+    std::set<std::string> models;
+    for (const Material& material : scene.materials) models.insert(material.brdf);
+    return {models.begin(), models.end()};
+}
+
+std::string scene_header(const FeatureSet& features, const std::vector<std::string>& models) {
+    std::string text = "// What this scene needs of the kernel, and no more.\n";
+    for (const FeatureState& state : features)
+        text += "#define LOBE_HAS_" + state.name + (state.in ? " 1\n" : " 0\n");
+    text += "#define LOBE_BRDFS(X)";
+    for (const std::string& model : models) text += " X(" + model + ")";
+    text += "\n";
+    for (const std::string& model : models) text += "#include \"brdf/" + model + ".h\"\n";
+    return text;
+}
+
+}  // namespace lobe

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scene needs of the kernel, each part with the scene object that asks for it.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace lobe {
+
+enum class Feature {
+#define LOBE_FEATURE(name, meaning) name,
+#include "shared/features.def"
+#undef LOBE_FEATURE
+    count
+};
+
+struct FeatureState {
+    std::string name;     // "THIN_LENS"
+    std::string meaning;  // "depth of field"
+    bool in = false;
+    std::string reason;  // what asked for it, or why it is left out
+};
+
+using FeatureSet = std::array<FeatureState, static_cast<std::size_t>(Feature::count)>;
+
+// The features that the scene needs.
+FeatureSet derive_features(const Scene& scene);
+
+// All features, for a general kernel: the picture is the same to the bit.
+FeatureSet all_features();
+
+// The models that the scene's materials use, sorted: a material names its model by place.
+std::vector<std::string> models_in_use(const Scene& scene);
+
+// The text of lobe_scene.h, which tells the kernel what to leave out and which models to include.
+std::string scene_header(const FeatureSet& features, const std::vector<std::string>& models);
+
+}  // namespace lobe

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "build/pack.h"
+
+#include <algorithm>
+#include <glm/gtc/constants.hpp>
+
+#include "base/error.h"
+#include "build/filter.h"
+
+namespace lobe {
+namespace {
+
+double luminance(const glm::vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+
+// Fills the arrays of a PackedScene shape by shape.
+class Packer {
+  public:
+    Packer(const Scene& scene, PackedScene& packed) : scene_(scene), packed_(packed) {}
+
+    void pack() {
+        pack_materials();
+        for (const Shape& shape : scene_.shapes)
+            if (std::holds_alternative<Mesh>(shape.geometry)) pack_mesh(shape);
+        for (const Shape& shape : scene_.shapes)
+            if (std::holds_alternative<Sphere>(shape.geometry)) pack_sphere(shape);
+        pack_small_lights();
+        packed_.lights = make_light_table(lights_);
+        if (packed_.lights.lights.empty())
+            for (LobeSurface& surface : packed_.surfaces) surface.first_light = LOBE_NONE;
+    }
+
+  private:
+    void pack_materials() {
+        for (const Material& material : scene_.materials) {
+            const auto& models = packed_.models;
+            const auto model = std::find(models.begin(), models.end(), material.brdf) - models.begin();
+            packed_.materials.push_back({static_cast<LobeUint>(model),
+                                         static_cast<LobeUint>(packed_.rows.size()), 0, 0});
+            for (const auto& row : material.rows)
+                packed_.rows.push_back({row[0], row[1], row[2], row[3]});
+        }
+    }
+
+    LobeUint add_surface(const Shape& shape, std::size_t first_primitive, bool normals) {
+        LobeSurface surface{};
+        surface.material = shape.material;
+        surface.first_light = shape.emission ? static_cast<LobeUint>(lights_.size()) : LOBE_NONE;
+        surface.first_primitive = static_cast<LobeUint>(first_primitive);
+        surface.flags = (normals ? LOBE_SURFACE_NORMALS : 0) | (shape.flipped ? LOBE_SURFACE_FLIPPED : 0);
+        packed_.surfaces.push_back(surface);
+        return static_cast<LobeUint>(packed_.surfaces.size() - 1);
+    }
+
+    void pack_mesh(const Shape& shape) {
+        const Mesh& mesh = std::get<Mesh>(shape.geometry);
+        auto& vertices = packed_.vertices;
+        auto& triangles = packed_.triangles;
+        if (vertices.size() + mesh.positions.size() >= LOBE_NONE ||
+            triangles.size() + mesh.triangles.size() >= LOBE_NONE)
+            throw Error(ExitCode::scene, "the scene has more than 2^32 vertices or triangles", shape.where);
+        const auto first = static_cast<LobeUint>(vertices.size());
+        const LobeUint surface = add_surface(shape, triangles.size(), !mesh.normals.empty());
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            const glm::vec3 p(packed_.placement.point(mesh.positions[i]));
+            const glm::vec3 n = mesh.normals.empty() ? glm::vec3(0) : mesh.normals[i];
+            const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[i];
+            vertices.push_back({p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y});
+        }
+        for (const glm::uvec3& t : mesh.triangles) {
+            triangles.push_back({first + t.x, first + t.y, first + t.z, surface});
+            if (shape.emission) add_triangle_light(shape);
+        }
+    }
+
+    LobeLight area_light(const Shape& shape, LobeUint kind, std::size_t primitive) const {
+        LobeLight light{};
+        light.kind = kind;
+        light.primitive = static_cast<LobeUint>(primitive);
+        light.flags = (shape.emission->two_sided ? LOBE_LIGHT_TWO_SIDED : 0) |
+                      (shape.flipped ? LOBE_LIGHT_FLIPPED : 0);
+        light.r = shape.emission->radiance.x;
+        light.g = shape.emission->radiance.y;
+        light.b = shape.emission->radiance.z;
+        return light;
+    }
+
+    double area_power(const Shape& shape, double area) const {
+        const double sides = shape.emission->two_sided ? 2 : 1;
+        return luminance(shape.emission->radiance) * area * glm::pi<double>() * sides;
+    }
+
+    // The light of the triangle added last; without area it has no power and is never chosen.
+    void add_triangle_light(const Shape& shape) {
+        const LobeTriangle& t = packed_.triangles.back();
+        const auto corner = [&](LobeUint i) {
+            const LobeVertex& v = packed_.vertices[i];
+            return glm::dvec3(v.px, v.py, v.pz);
+        };
+        const glm::dvec3 e1 = corner(t.v1) - corner(t.v0), e2 = corner(t.v2) - corner(t.v0);
+        const double area = glm::length(glm::cross(e1, e2)) / 2;
+        LobeLight light = area_light(shape, LOBE_LIGHT_TRIANGLE, packed_.triangles.size() - 1);
+        light.area = static_cast<float>(area);
+        lights_.push_back({light, light.area > 0 ? area_power(shape, area) : 0});
+    }
+
+    void pack_sphere(const Shape& shape) {
+        const Sphere& sphere = std::get<Sphere>(shape.geometry);
+        const glm::vec3 c(packed_.placement.point(sphere.centre));
+        const auto radius = static_cast<float>(packed_.placement.length(sphere.radius));
+        const std::size_t primitive = packed_.triangles.size() + packed_.spheres.size();
+        const LobeUint surface = add_surface(shape, primitive, false);
+        packed_.spheres.push_back({c.x, c.y, c.z, radius, surface, 0, 0, 0});
+        if (!shape.emission) return;
+        LobeLight light = area_light(shape, LOBE_LIGHT_SPHERE, primitive);
+        light.x = c.x;
+        light.y = c.y;
+        light.z = c.z;
+        light.radius = radius;
+        const double area = 4 * glm::pi<double>() * radius * radius;
+        light.area = static_cast<float>(area);
+        lights_.push_back({light, area_power(shape, area)});
+    }
+
+    void pack_small_lights() {
+        const double scale = packed_.placement.scale;
+        for (const PointLight& point : scene_.point_lights) {
+            LobeLight light{};
+            light.kind = LOBE_LIGHT_POINT;
+            light.primitive = LOBE_NONE;
+            const glm::vec3 intensity(glm::dvec3(point.intensity) * scale * scale);
+            set_colour(light, intensity);
+            set_vector(light, packed_.placement.point(point.position));
+            lights_.push_back({light, 4 * glm::pi<double>() * luminance(intensity)});
+        }
+        for (const DistantLight& distant : scene_.distant_lights) {
+            LobeLight light{};
+            light.kind = LOBE_LIGHT_DISTANT;
+            light.primitive = LOBE_NONE;
+            set_colour(light, distant.irradiance);
+            set_vector(light, distant.towards);
+            lights_.push_back({light, glm::pi<double>() * luminance(distant.irradiance)});
+        }
+    }
+
+    static void set_colour(LobeLight& light, const glm::vec3& c) {
+        light.r = c.x;
+        light.g = c.y;
+        light.b = c.z;
+    }
+    static void set_vector(LobeLight& light, const glm::dvec3& v) {
+        light.x = static_cast<float>(v.x);
+        light.y = static_cast<float>(v.y);
+        light.z = static_cast<float>(v.z);
+    }
+
+    const Scene& scene_;
+    PackedScene& packed_;
+    std::vector<PoweredLight> lights_;
+};
+
+}  // namespace
+
+PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
+    PackedScene packed;
+    packed.placement = place_scene(scene);
+    packed.features = options.all_features ? all_features() : derive_features(scene);
+    packed.models = options.all_features ? options.all_models : models_in_use(scene);
+    Packer(scene, packed).pack();
+    packed.bvh = build_bvh(packed.triangles, packed.vertices, packed.spheres);
+    if (scene.filter.kind != FilterKind::box || options.all_features)
+        packed.filter_nodes = tabulate_filter(scene.filter).nodes;
+    packed.frame = pack_frame(scene, packed.placement);
+    packed.frame.triangles = static_cast<LobeUint>(packed.triangles.size());
+    packed.frame.lights = static_cast<LobeUint>(packed.lights.lights.size());
+    return packed;
+}
+
+}  // namespace lobe

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene made ready for the device: arrays of shared structs, and what the kernel must contain.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "build/bvh.h"
+#include "build/features.h"
+#include "build/light_table.h"
+#include "build/placement.h"
+#include "scene/scene.h"
+#include "shared/frame.h"
+
+namespace lobe {
+
+struct PackedScene {
+    Placement placement;
+    FeatureSet features;
+    std::vector<std::string> models;  // a material's model is a place in this list
+    Bvh bvh;
+    std::vector<LobeTriangle> triangles;
+    std::vector<LobeVertex> vertices;
+    std::vector<LobeSphere> spheres;
+    std::vector<LobeSurface> surfaces;
+    std::vector<LobeMaterial> materials;
+    std::vector<LobeRow> rows;
+    LightTable lights;
+    std::vector<float> filter_nodes;
+    LobeFrame frame;  // all but the launch's own rows and samples
+};
+
+struct PackOptions {
+    bool all_features = false;            // compile everything in
+    std::vector<std::string> all_models;  // with all_features: every model there is
+};
+
+// Throws Error (scene) for a film or a scene past what 32-bit indices can name.
+PackedScene pack_scene(const Scene& scene, const PackOptions& options = {});
+
+// The camera, film and filter part of the frame.
+LobeFrame pack_frame(const Scene& scene, const Placement& placement);
+
+}  // namespace lobe

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cl/program.h"
+
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/sha256.h"
+#include "base/timer.h"
+#include "cl/binary_cache.h"
+#include "cl/cl_error.h"
+#include "cl/device.h"
+
+namespace lobe {
+
+namespace {
+
+std::string build_options(const DeviceInfo& info) {
+    std::string options = "-cl-std=CL1.2";
+    if (info.correctly_rounded) options += " -cl-fp32-correctly-rounded-divide-sqrt";
+    return options;
+}
+
+std::string complete_text(const std::string& source, const ProgramOptions& options) {
+    std::string text = "#pragma OPENCL FP_CONTRACT OFF\n";
+    if (options.double_precision) text += "#define LOBE_DOUBLE 1\n";
+    return text + source;
+}
+
+// All that a binary depends on, with lengths so that no two lists of parts read alike.
+std::string binary_key(const DeviceInfo& info, const std::string& text,
+                       const std::string& options) {
+    Sha256 sum;
+    for (const std::string& part :
+         {text, options, info.platform, info.name, info.vendor, info.version, info.driver})
+        sum.add(std::to_string(part.size()) + ":" + part);
+    return sum.hex();
+}
+
+// Keeps the text and the log of a failed build; gives the file's name, or "" if none can be
+// written.
+std::string keep_evidence(const std::string& text, const std::string& options,
+                          const std::string& log, const std::string& key) {
+    std::string content = "// lobe: this text does not build with " + options + "\n";
+    std::istringstream lines(log);
+    for (std::string line; std::getline(lines, line);) content += "// " + line + "\n";
+    content += text;
+    std::error_code error;
+    for (const std::string& folder :
+         {cache_folder(), std::filesystem::temp_directory_path(error).string()}) {
+        try {
+            if (folder.empty()) continue;
+            std::filesystem::create_directories(folder, error);
+            const std::string path = folder + "/failed-" + key.substr(0, 12) + ".cl";
+            write_file(path, content);
+            return path;
+        } catch (const Error&) {  // try the next folder
+        }
+    }
+    return "";
+}
+
+[[noreturn]] void throw_build_error(const cl::Error& error, const Program& program,
+                                    const Device& device, const std::string& text,
+                                    const std::string& options) {
+    std::string log;
+    try {
+        log = program.program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device());
+    } catch (const cl::Error&) {
+    }
+    BuildFault fault = first_fault(log);
+    if (fault.what.empty())
+        fault.what = std::string(cl_error_name(error.err())) + " (" + std::to_string(error.err()) +
+                     ") from " + error.what();
+    const std::string evidence = keep_evidence(text, options, log, program.key);
+    throw Error(ExitCode::device, "the kernel does not build: " + fault.what, fault.where,
+                evidence.empty() ? "" : "its text and the compiler's log are in " + evidence);
+}
+
+}  // namespace
+
+cl::Kernel Program::kernel(const std::string& name) const {
+    return checked([&] { return cl::Kernel(program, name.c_str()); });
+}
+
+// PoCL writes `error: core/real.h:5:40: text`, Clang `core/real.h:5:40: error: text`.
+BuildFault first_fault(const std::string& log) {
+    static const std::regex located("(.+?):([0-9]+):([0-9]+): *(.*)");
+    static const std::regex marker("(fatal )?error: *");
+    std::istringstream lines(log);
+    std::string first;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.empty() && line.back() == '\r') line.pop_back();
+        std::smatch error, place;
+        if (!std::regex_search(line, error, marker)) continue;
+        const std::string rest = error.prefix().str() + error.suffix().str();
+        if (std::regex_match(rest, place, located))
+            return {place.str(1) + ":" + place.str(2) + ":" + place.str(3), place.str(4)};
+        if (first.empty()) first = rest;
+    }
+    return {"", first};
+}
+
+Program build_program(const Device& device, const std::string& source,
+                      const ProgramOptions& options) {
+    const DeviceInfo& info = device.info();
+    if (options.double_precision && !info.fp64)
+        throw Error(ExitCode::device, "the device " + info.name + " has no double precision");
+    const Stopwatch watch;
+    const std::string text = complete_text(source, options);
+    const std::string flags = build_options(info);
+    Program program;
+    program.key = binary_key(info, text, flags);
+    program.cached = load_binary(device, program, flags);
+    if (!program.cached) {
+        program.program = checked([&] { return cl::Program(device.context(), text); });
+        try {
+            program.program.build({device.device()}, flags.c_str());
+        } catch (const cl::Error& error) {
+            throw_build_error(error, program, device, text, flags);
+        }
+        program.log = checked(
+            [&] { return program.program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device()); });
+    }
+    program.build_seconds = watch.seconds();
+    return program;
+}
+
+}  // namespace lobe

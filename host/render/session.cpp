@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/session.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/kernel_text.h"
+#include "base/timer.h"
+#include "cl/binary_cache.h"
+#include "cl/kernel_args.h"
+#include "cl/source.h"
+
+namespace lobe {
+namespace {
+
+// Bytes a material's prepared form takes on the device: LOBE_PREPARED_BYTES of brdf/brdf.h.
+constexpr std::size_t prepared_bytes = 512;
+// A launch's sums stay below this, so that large films need no large buffer.
+constexpr std::size_t sums_bytes = 256u << 20;
+// OpenCL runtimes compile anew for grids of 65,536 and more.
+constexpr std::uint32_t grid_limit = 65528;
+
+unsigned round_up(unsigned value, unsigned grain) { return (value + grain - 1) / grain * grain; }
+
+}  // namespace
+
+struct Session::Buffers {
+    Buffers(const Device& d, const PackedScene& s, std::size_t sum_count)
+        : frame(d, std::size_t{1}, "frame"),
+          nodes(d, s.bvh.nodes, "hierarchy"),
+          triangle_leaves(d, s.bvh.triangle_leaves, "triangle leaves"),
+          sphere_leaves(d, s.bvh.sphere_leaves, "sphere leaves"),
+          triangles(d, s.triangles, "triangles"),
+          vertices(d, s.vertices, "vertices"),
+          spheres(d, s.spheres, "spheres"),
+          surfaces(d, s.surfaces, "surfaces"),
+          materials(d, s.materials, "materials"),
+          rows(d, s.rows, "material parameters"),
+          prepared(d, s.materials.size() * prepared_bytes, "prepared materials"),
+          lights(d, s.lights.lights, "lights"),
+          light_sums(d, s.lights.sums, "light table"),
+          filter(d, s.filter_nodes, "filter table"),
+          sums(d, sum_count, "film"),
+          status(d, std::vector<cl_uint>(LOBE_STATUS_COUNT, 0), "status") {}
+
+    Buffer<LobeFrame> frame;
+    Buffer<LobeNode> nodes;
+    Buffer<LobeTriangleLeaf> triangle_leaves;
+    Buffer<LobeSphereLeaf> sphere_leaves;
+    Buffer<LobeTriangle> triangles;
+    Buffer<LobeVertex> vertices;
+    Buffer<LobeSphere> spheres;
+    Buffer<LobeSurface> surfaces;
+    Buffer<LobeMaterial> materials;
+    Buffer<LobeRow> rows;
+    Buffer<cl_uchar> prepared;
+    Buffer<LobeLight> lights;
+    Buffer<cl_float> light_sums;
+    Buffer<cl_float> filter;
+    Buffer<LobeBlockSum> sums;
+    Buffer<cl_uint> status;
+
+    std::size_t bytes() const {
+        return frame.bytes() + nodes.bytes() + triangle_leaves.bytes() + sphere_leaves.bytes() +
+               triangles.bytes() + vertices.bytes() + spheres.bytes() + surfaces.bytes() +
+               materials.bytes() + rows.bytes() + prepared.bytes() + lights.bytes() +
+               light_sums.bytes() + filter.bytes() + sums.bytes() + status.bytes();
+    }
+};
+
+Session::Session(const Device& device, const KernelText& kernels, const PackedScene& scene,
+                 const SessionOptions& options)
+    : device_(device), options_(options), frame_(scene.frame) {
+    const std::string header = scene_header(scene.features, scene.models);
+    const std::string source = flatten(kernels, "render.cl", {{"lobe_scene.h", header}});
+    program_ = build_program(device, source, {options.double_precision});
+    render_ = program_.kernel("render");
+    upload(scene);
+}
+
+Session::~Session() = default;
+
+void Session::upload(const PackedScene& scene) {
+    const Stopwatch watch;
+    const std::size_t row_sums = static_cast<std::size_t>(width()) * LOBE_REPLICATES;
+    const std::size_t limit = std::min<std::size_t>(
+        sums_bytes, device_.info().largest_allocation) / (row_sums * sizeof(LobeBlockSum));
+    max_rows_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(limit, 1, height()));
+    max_rows_ = std::min(max_rows_, grid_limit);
+    if (width() > grid_limit)
+        throw Error(ExitCode::device, "the film is " + std::to_string(width()) + " pixels wide", "",
+                    "render it in parts with --crop");
+    buffers_ = std::make_unique<Buffers>(device_, scene, max_rows_ * row_sums);
+    prepare_materials(scene.materials.size());
+    Buffers& b = *buffers_;
+    set_args(render_, b.frame, b.nodes, b.triangle_leaves, b.sphere_leaves, b.triangles, b.vertices,
+             b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_sums, b.filter, b.sums,
+             b.status);
+    upload_seconds_ = watch.seconds();
+}
+
+void Session::prepare_materials(std::size_t count) {
+    if (count == 0) return;
+    Buffers& b = *buffers_;
+    cl::Kernel prepare = program_.kernel("prepare");
+    set_args(prepare, b.materials, b.rows, b.prepared, static_cast<cl_uint>(count), b.status);
+    launch(device_, prepare, cl::NDRange(count), cl::NDRange(1));
+    device_.finish();
+}
+
+void Session::set_seed(std::uint64_t seed) {
+    frame_.seed0 = static_cast<LobeUint>(seed);
+    frame_.seed1 = static_cast<LobeUint>(seed >> 32);
+}
+
+void Session::render_rows(std::uint32_t first_sample, std::uint32_t samples, std::uint32_t first_row,
+                          std::uint32_t rows, LobeBlockSum* sums) {
+    frame_.first_sample = first_sample;
+    frame_.samples = samples;
+    frame_.first_row = first_row;
+    frame_.rows = rows;
+    buffers_->frame.write(&frame_, 1);
+    const auto [x, y] = options_.local;
+    launch(device_, render_, cl::NDRange(round_up(width(), x), round_up(rows, y)), cl::NDRange(x, y));
+    buffers_->sums.read(sums, static_cast<std::size_t>(rows) * width() * LOBE_REPLICATES);
+}
+
+RenderStatus Session::status() const {
+    RenderStatus status;
+    buffers_->status.read(status.counters.data(), status.counters.size());
+    return status;
+}
+
+std::size_t Session::device_bytes() const { return buffers_->bytes(); }
+
+void Session::keep_program() const { save_binary(device_, program_); }
+
+}  // namespace lobe

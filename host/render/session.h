@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene on a device, ready to be asked for samples.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "build/pack.h"
+#include "cl/buffer.h"
+#include "cl/program.h"
+#include "shared/status.h"
+
+namespace lobe {
+
+class KernelText;
+
+struct SessionOptions {
+    bool double_precision = false;      // the oracle build
+    std::array<unsigned, 2> local{8, 8};  // work-group: any gives the same bits
+};
+
+// The status counters of shared/status.h.
+struct RenderStatus {
+    std::array<std::uint32_t, LOBE_STATUS_COUNT> counters{};
+    std::uint32_t nonfinite() const { return counters[LOBE_STATUS_NONFINITE]; }
+    std::uint32_t negative() const { return counters[LOBE_STATUS_NEGATIVE]; }
+    std::uint32_t trapped() const { return counters[LOBE_STATUS_TRAP]; }
+    bool sound() const { return !nonfinite() && !negative() && !trapped(); }
+};
+
+class Session {
+  public:
+    // Builds the kernel for the scene, uploads the scene and prepares its materials.
+    Session(const Device& device, const KernelText& kernels, const PackedScene& scene,
+            const SessionOptions& options = {});
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    void set_seed(std::uint64_t seed);
+    std::uint32_t width() const { return frame_.window_width; }
+    std::uint32_t height() const { return frame_.window_height; }
+
+    // Samples [first_sample, first_sample + samples) of rows [first_row, first_row + rows), all of
+    // one block of LOBE_BLOCK. Writes rows * width() * LOBE_REPLICATES sums. One launch; waits.
+    void render_rows(std::uint32_t first_sample, std::uint32_t samples, std::uint32_t first_row,
+                     std::uint32_t rows, LobeBlockSum* sums);
+
+    // Most rows that one launch may have.
+    std::uint32_t max_rows() const { return max_rows_; }
+    // Rows of a launch are best a multiple of this.
+    std::uint32_t row_grain() const { return options_.local[1]; }
+
+    RenderStatus status() const;
+    double compile_seconds() const { return program_.build_seconds; }
+    double upload_seconds() const { return upload_seconds_; }
+    bool compiled_from_cache() const { return program_.cached; }
+    std::size_t device_bytes() const;
+
+    // Keeps the compiled program for later runs where that pays; call it after the render.
+    void keep_program() const;
+
+  private:
+    struct Buffers;
+    void upload(const PackedScene& scene);
+    void prepare_materials(std::size_t count);
+
+    const Device& device_;
+    SessionOptions options_;
+    LobeFrame frame_;
+    Program program_;
+    cl::Kernel render_;
+    std::unique_ptr<Buffers> buffers_;
+    std::uint32_t max_rows_ = 0;
+    double upload_seconds_ = 0;
+};
+
+}  // namespace lobe

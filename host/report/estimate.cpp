@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/estimate.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "base/sha256.h"
+
+namespace lobe {
+namespace {
+
+double luminance(const double* c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
+
+// Samples with index r modulo LOBE_REPLICATES among `samples`.
+std::array<double, LOBE_REPLICATES> replicate_sizes(std::uint64_t samples) {
+    std::array<double, LOBE_REPLICATES> sizes{};
+    for (unsigned r = 0; r < LOBE_REPLICATES; ++r)
+        sizes[r] = static_cast<double>((samples + LOBE_REPLICATES - 1 - r) / LOBE_REPLICATES);
+    return sizes;
+}
+
+// Variance of the mean over all samples, from the replicates' sums of one quantity: the spread of
+// their means, weighed by their sizes, over the number of samples.
+double variance_of_mean(const std::array<double, LOBE_REPLICATES>& sums,
+                        const std::array<double, LOBE_REPLICATES>& sizes, double samples) {
+    double total = 0;
+    for (double sum : sums) total += sum;
+    const double mean = total / samples;
+    double spread = 0;
+    for (unsigned r = 0; r < LOBE_REPLICATES; ++r) {
+        const double difference = sums[r] / sizes[r] - mean;
+        spread += sizes[r] * difference * difference;
+    }
+    return spread / (LOBE_REPLICATES - 1) / samples;
+}
+
+}  // namespace
+
+Estimate estimate(const Film& film) {
+    const FilmSums sums = film.sums();
+    Estimate e;
+    e.width = film.width();
+    e.height = film.height();
+    e.samples = sums.samples;
+    e.rgb.assign(film.pixels() * 3, 0.0f);
+    if (e.samples == 0) return e;
+    const double samples = static_cast<double>(e.samples);
+    const auto sizes = replicate_sizes(e.samples);
+    for (double size : sizes) e.replicates += size > 0;
+    const bool known = e.replicates == LOBE_REPLICATES;
+    if (known) e.standard_error.resize(film.pixels() * 3);
+
+    double luminance_sum = 0, variance_sum = 0;
+    for (std::size_t p = 0; p < film.pixels(); ++p) {
+        const double* pixel = &sums.radiance[p * LOBE_REPLICATES * 3];
+        std::array<double, LOBE_REPLICATES> light{};
+        double total[3] = {0, 0, 0};
+        for (unsigned r = 0; r < LOBE_REPLICATES; ++r) {
+            for (int c = 0; c < 3; ++c) total[c] += pixel[3 * r + c];
+            light[r] = luminance(pixel + 3 * r);
+        }
+        for (int c = 0; c < 3; ++c) e.rgb[3 * p + c] = static_cast<float>(total[c] / samples);
+        if (known) {
+            for (int c = 0; c < 3; ++c) {
+                std::array<double, LOBE_REPLICATES> channel{};
+                for (unsigned r = 0; r < LOBE_REPLICATES; ++r) channel[r] = pixel[3 * r + c];
+                e.standard_error[3 * p + c] =
+                    static_cast<float>(std::sqrt(variance_of_mean(channel, sizes, samples)));
+            }
+        }
+        if (sums.emitters[p] > 0) {
+            ++e.masked;
+            continue;
+        }
+        luminance_sum += luminance(total) / samples;
+        if (known) variance_sum += variance_of_mean(light, sizes, samples);
+    }
+    const double counted = static_cast<double>(film.pixels() - e.masked);
+    if (counted == 0) return e;
+    e.mean = luminance_sum / counted;
+    if (known) {
+        e.mean_standard_error = std::sqrt(variance_sum) / counted;
+        if (e.mean > 0) e.relative_standard_error = std::sqrt(variance_sum / counted) / e.mean;
+    }
+    return e;
+}
+
+std::string image_hash(const Estimate& picture) {
+    Sha256 sum;
+    sum.add(picture.rgb.data(), picture.rgb.size() * sizeof(float));
+    return sum.hex();
+}
+
+std::string error_text(const Estimate& picture) {
+    if (!picture.relative_standard_error) return "unknown";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g %%", 100 * *picture.relative_standard_error);
+    return text;
+}
+
+}  // namespace lobe

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/image_io.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/files.h"
+
+namespace lobe {
+
+// The module's functions. It is never closed: libraries it brings in do not survive that.
+struct ImageIo::Module {
+    WriteImage write = nullptr;
+    ReadImage read = nullptr;
+    std::string error;
+
+    Module() {
+        // Beside the program in a build, in lib/lobe of an installation.
+        const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+        void* handle = nullptr;
+        for (const auto& folder : {program, program / "../lib/lobe"}) {
+            handle = dlopen((folder / "lobe_image.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+            if (handle) break;
+            error = dlerror();
+        }
+        if (!handle) handle = dlopen("lobe_image.so", RTLD_NOW | RTLD_LOCAL);
+        if (!handle) return;
+        error.clear();
+        write = reinterpret_cast<WriteImage>(dlsym(handle, "lobe_write_image"));
+        read = reinterpret_cast<ReadImage>(dlsym(handle, "lobe_read_image"));
+    }
+};
+
+ImageIo::ImageIo() : opening_(std::async(std::launch::async, [] { return std::make_unique<Module>(); })) {}
+
+ImageIo::~ImageIo() = default;
+
+ImageIo::Module& ImageIo::module() {
+    if (!module_) module_ = opening_.get();
+    if (!module_->write || !module_->read)
+        throw Error(ExitCode::output, "the image module lobe_image.so cannot be opened: " + module_->error,
+                    "", "it belongs beside the program, and OpenImageIO must be installed");
+    return *module_;
+}
+
+std::string image_format(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (ending == ".exr") return "exr";
+    if (ending == ".png") return "png";
+    throw Error(ExitCode::usage, "cannot write a picture of type '" + ending + "'", path,
+                "pictures end in .exr (float, with error bars) or .png (sRGB)");
+}
+
+namespace {
+
+// Channels may come back in another order: compared by name.
+void compare(const ImageFile& wanted, const ImageFile& found, const std::string& path) {
+    const std::size_t pixels = static_cast<std::size_t>(wanted.width) * wanted.height;
+    const std::size_t n = wanted.channels.size();
+    bool same = found.width == wanted.width && found.height == wanted.height && found.channels.size() == n;
+    for (std::size_t c = 0; same && c < n; ++c) {
+        const auto at = std::find(found.channels.begin(), found.channels.end(), wanted.channels[c]);
+        if (at == found.channels.end()) {
+            same = false;
+            break;
+        }
+        const std::size_t d = static_cast<std::size_t>(at - found.channels.begin());
+        for (std::size_t p = 0; same && p < pixels; ++p)
+            same = !std::memcmp(&wanted.pixels[p * n + c], &found.pixels[p * n + d], sizeof(float));
+    }
+    if (!same)
+        throw Error(ExitCode::output, "what was written does not read back the same", path,
+                    "is the disk full?");
+}
+
+}  // namespace
+
+void ImageIo::write(const std::string& path, const ImageFile& image) {
+    AtomicFile file(path);
+    std::string error;
+    module().write(file.temporary().c_str(), image_format(path).c_str(), image, error);
+    if (!error.empty()) throw Error(ExitCode::output, "cannot write the picture: " + error, path);
+    ImageFile back;
+    module().read(file.temporary().c_str(), back, error);
+    if (!error.empty()) throw Error(ExitCode::output, "the written picture cannot be read: " + error, path);
+    compare(image, back, path);
+    file.commit();
+}
+
+ImageFile ImageIo::read(const std::string& path) {
+    ImageFile image;
+    std::string error;
+    module().read(path.c_str(), image, error);
+    if (!error.empty()) throw Error(ExitCode::scene, "cannot read the picture: " + error, path);
+    return image;
+}
+
+}  // namespace lobe

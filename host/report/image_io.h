@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading and writing picture files through the image module.
+#pragma once
+
+#include <future>
+#include <memory>
+#include <string>
+
+#include "report/image_file.h"
+
+namespace lobe {
+
+class ImageIo {
+  public:
+    // Begins to open the module in the background.
+    ImageIo();
+    ~ImageIo();
+
+    // Writes to a temporary name in the same folder, reads it back, compares every value, and only
+    // then renames. The format follows the ending. Throws Error (output).
+    void write(const std::string& path, const ImageFile& image);
+
+    // Throws Error (scene) if the file cannot be read.
+    ImageFile read(const std::string& path);
+
+  private:
+    struct Module;
+    Module& module();
+    std::future<std::unique_ptr<Module>> opening_;
+    std::unique_ptr<Module> module_;
+};
+
+// "exr" or "png" by the ending of a path; throws Error (usage) for another, naming these.
+std::string image_format(const std::string& path);
+
+}  // namespace lobe

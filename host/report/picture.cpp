@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lobe {
+
+ImageFile float_picture(const Estimate& picture, const PictureFacts& facts) {
+    ImageFile file;
+    file.width = picture.width;
+    file.height = picture.height;
+    file.x = facts.frame.window_x;
+    file.y = facts.frame.window_y;
+    file.full_width = facts.frame.film_width;
+    file.full_height = facts.frame.film_height;
+    file.attributes = facts.attributes;
+    file.channels = {"R", "G", "B"};
+    const bool errors = !picture.standard_error.empty();
+    if (errors) file.channels.insert(file.channels.end(), {"StdError.R", "StdError.G", "StdError.B"});
+    file.pixels.reserve(picture.rgb.size() * (errors ? 2 : 1));
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
+        file.pixels.insert(file.pixels.end(), &picture.rgb[i], &picture.rgb[i] + 3);
+        if (errors)
+            file.pixels.insert(file.pixels.end(), &picture.standard_error[i],
+                               &picture.standard_error[i] + 3);
+    }
+    return file;
+}
+
+double srgb_encode(double linear) {
+    if (!(linear > 0)) return 0;
+    if (linear >= 1) return 1;
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+ImageFile display_picture(const Estimate& picture, double exposure) {
+    ImageFile file;
+    file.width = file.full_width = picture.width;
+    file.height = file.full_height = picture.height;
+    file.channels = {"R", "G", "B"};
+    file.bytes = true;
+    file.pixels.resize(picture.rgb.size());
+    std::transform(picture.rgb.begin(), picture.rgb.end(), file.pixels.begin(), [&](float value) {
+        return static_cast<float>(std::floor(255 * srgb_encode(exposure * value) + 0.5));
+    });
+    return file;
+}
+
+}  // namespace lobe

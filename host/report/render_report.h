@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `lobe render` tells of a render: to a person, and as JSON. Keys carry their unit.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "build/features.h"
+#include "cl/device.h"
+#include "render/session.h"
+#include "report/estimate.h"
+
+namespace lobe {
+
+struct RenderTimes {
+    double parse = 0, bvh = 0, compile = 0, upload = 0, render = 0, write = 0, total = 0;
+};
+
+struct RenderReport {
+    std::string scene, scene_hash, dialect, version;
+    DeviceInfo device;
+    std::uint64_t seed = 0;
+    std::uint32_t width = 0, height = 0;
+    RenderTimes seconds;
+    Estimate picture;
+    std::string hash;  // of the picture
+    FeatureSet features;
+    std::vector<std::string> models;
+    RenderStatus status;
+    std::size_t triangles = 0, spheres = 0, lights = 0, device_bytes = 0;
+    bool partial = false;
+    std::vector<std::string> outputs;
+};
+
+nlohmann::ordered_json to_json(const RenderReport& report);
+
+// A few lines for standard output: where the picture is, its error, its time.
+std::string to_text(const RenderReport& report);
+
+}  // namespace lobe

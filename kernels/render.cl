@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The megakernel: one work-item, one pixel, one block of samples.
+#include "lobe_scene.h"
+
+#include "path/camera.h"
+#include "path/film.h"
+#include "path/scene.h"
+#include "path/shade.h"
+
+// Radiance that arrives along `ray`. `emitter` tells whether a light is seen directly.
+real3 trace_path(const Scene* scene, global const LobeFrame* frame, Ray ray, const Sampler* sampler,
+                 int* emitter) {
+    real3 radiance = (real3)(0), throughput = (real3)(1);
+    real pdf = 0;  // of the ray's direction; 0: no light sample could have taken it
+    *emitter = 0;
+    for (uint depth = 0;; ++depth) {
+        Hit hit = nearest_hit(&scene->geometry, &ray);
+        if (hit.primitive == LOBE_NONE) {
+            if (LOBE_HAS_ENVIRONMENT) {
+                radiance += throughput * (real3)(frame->environment_r, frame->environment_g,
+                                                 frame->environment_b);
+            }
+            return radiance;
+        }
+        Surface surface = surface_at(&scene->shapes, &ray, &hit);
+        radiance += throughput * seen_light(scene, &ray, &surface, pdf);
+        if (depth == 0) *emitter = surface.light != LOBE_NONE;
+        if (depth == frame->max_depth) return radiance;
+
+        ShadingPoint point = shading_point(&surface, &ray);
+        real2 choice = sobol_numbers(sampler, bounce_dimension(depth, DIMENSION_CHOICE));
+        real2 u = sobol_numbers(sampler, bounce_dimension(depth, DIMENSION_LIGHT));
+        LightSample light =
+            sample_light(&scene->lights, &scene->shapes, surface.position, choice.x, u);
+        real3 wi = light.pdf > 0 ? local_direction(&point, light.towards) : (real3)(0, 0, -1);
+
+        real2 v = sobol_numbers(sampler, bounce_dimension(depth, DIMENSION_BRDF));
+        global const uchar* prepared = scene->prepared + surface.material * LOBE_PREPARED_BYTES;
+        Scattering scattering = scatter(scene->materials[surface.material].model, prepared,
+                                        point.wo, wi, (real3)(v, choice.y));
+        radiance += throughput * sent_light(scene, &surface, &light, &scattering);
+
+        real3 direction = to_world(&point.frame, scattering.next.wi);
+        throughput *= scattering.next.weight;
+        if (dot(direction, point.side) <= 0 || !survives(&throughput, sampler, depth)) {
+            return radiance;
+        }
+        pdf = scattering.next.delta ? 0 : scattering.next.pdf;
+        ray = leave_surface(&surface, direction);
+    }
+}
+
+kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
+                   global const LobeTriangleLeaf* triangle_leaves,
+                   global const LobeSphereLeaf* sphere_leaves, global const LobeTriangle* triangles,
+                   global const LobeVertex* vertices, global const LobeSphere* spheres,
+                   global const LobeSurface* surfaces, global const LobeMaterial* materials,
+                   global const uchar* prepared, global const LobeLight* lights,
+                   global const float* light_sums, global const float* filter,
+                   global LobeBlockSum* sums, global uint* status) {
+    uint x = get_global_id(0), y = get_global_id(1);
+    if (x >= frame->window_width || y >= frame->rows) return;
+    Scene scene = {{nodes, triangle_leaves, sphere_leaves},
+                   {triangles, vertices, spheres, surfaces, frame->triangles},
+                   {lights, light_sums, frame->lights},
+                   materials,
+                   prepared};
+    uint2 pixel = (uint2)(frame->window_x + x, frame->window_y + frame->first_row + y);
+    uint number = pixel.y * frame->film_width + pixel.x;
+    LobeBlockSum sum[LOBE_REPLICATES] = {{0, 0, 0, 0}};
+    for (uint sample = frame->first_sample; sample < frame->first_sample + frame->samples; ++sample) {
+        Sampler sampler = make_sampler((uint2)(frame->seed0, frame->seed1), number, sample);
+        real weight;
+        real2 film = film_point(frame, filter, pixel, sobol_numbers(&sampler, DIMENSION_FILTER),
+                                &weight);
+        real2 lens = LOBE_HAS_THIN_LENS ? sobol_numbers(&sampler, DIMENSION_LENS) : (real2)(0);
+        int emitter;
+        real3 radiance = trace_path(&scene, frame, camera_ray(frame, film, lens), &sampler, &emitter);
+        add_sample(&sum[sample % LOBE_REPLICATES], radiance, weight, emitter, status, number, sample);
+    }
+    ulong out = ((ulong)y * frame->window_width + x) * LOBE_REPLICATES;
+    for (uint i = 0; i < LOBE_REPLICATES; ++i) sums[out + i] = sum[i];
+}
+
+// Makes every material's prepared form, once before the first launch.
+kernel void prepare(global const LobeMaterial* materials, global const LobeRow* rows,
+                    global uchar* prepared, uint count, global uint* status) {
+    uint i = get_global_id(0);
+    if (i >= count) return;
+    if (!prepare_material(materials[i].model, rows + materials[i].first_row,
+                          prepared + (ulong)i * LOBE_PREPARED_BYTES)) {
+        atomic_inc(&status[LOBE_STATUS_TRAP]);
+    }
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Test kernels of kernels/probe/, built as the renderer is built.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cl/kernel_args.h"
+#include "cl/program.h"
+#include "cl/source.h"
+#include "support/device.h"
+
+namespace lobe::test {
+
+using Texts = std::map<std::string, std::string>;
+
+// Names of all features, and of all models in kernels/brdf/.
+std::vector<std::string> all_features();
+std::vector<std::string> all_brdfs();
+
+// The text of lobe_scene.h for these features and models.
+std::string scene_text(const std::vector<std::string>& features = all_features(),
+                       const std::vector<std::string>& brdfs = all_brdfs());
+
+// Flattens a kernel file (or the text `texts[path]`) and builds it for test_device(). Where `texts`
+// has no "lobe_scene.h", one with all features and models is taken.
+Program build_probe(const std::string& path, Texts texts = {}, const ProgramOptions& options = {});
+
+// Runs a kernel once over `count` work-items and waits.
+template <typename... Args>
+void run_probe(const Program& program, const std::string& name, std::size_t count,
+               const Args&... args) {
+    cl::Kernel kernel = program.kernel(name);
+    set_args(kernel, args...);
+    launch(test_device(), kernel, cl::NDRange(count));
+    test_device().finish();
+}
+
+}  // namespace lobe::test
