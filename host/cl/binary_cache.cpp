@@ -68,6 +68,8 @@ bool binary_cache_pays(const DeviceInfo& info) {
     const std::string wish = variable("LOBE_PROGRAM_CACHE");
     if (wish == "on") return true;
     if (wish == "off") return false;
+    // PoCL has a cache of its own. With ours a second start of the general kernel took 0.015 s in
+    // place of 0.06-0.09 s, but asking for the binary cost the first run 0.75 s.
     return info.platform != "Portable Computing Language";
 }
 

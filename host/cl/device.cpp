@@ -52,16 +52,10 @@ DeviceInfo describe(const cl::Device& device, const std::string& platform) {
     return info;
 }
 
-// What to do when platforms are there but show no device. PoCL needs its cache folder to start.
 std::string no_device_hint(const std::vector<std::string>& platforms) {
     for (const std::string& platform : platforms) {
-        if (platform.find("Portable Computing Language") == std::string::npos) continue;
-        const char* folder = std::getenv("POCL_CACHE_DIR");
-        return folder
-                   ? "PoCL cannot start where its cache folder is not writable: POCL_CACHE_DIR=" +
-                         std::string(folder)
-                   : "PoCL cannot start where its cache folder ($HOME/.cache/pocl) is not "
-                     "writable: set POCL_CACHE_DIR to a folder that is";
+        const std::string hint = cache_hint(platform);
+        if (!hint.empty()) return hint;
     }
     return "is the device's driver loaded, and may you open its files under /dev?";
 }
@@ -123,6 +117,15 @@ bool has_in_name(const DeviceInfo& info, const std::string& part) {
 
 const char* device_type_name(cl_device_type type) {
     return type & CL_DEVICE_TYPE_GPU ? "GPU" : type & CL_DEVICE_TYPE_CPU ? "CPU" : "accelerator";
+}
+
+std::string cache_hint(const std::string& platform) {
+    if (platform != "Portable Computing Language") return "";
+    const char* folder = std::getenv("POCL_CACHE_DIR");
+    return folder ? "PoCL does not work where its cache folder is not writable: POCL_CACHE_DIR=" +
+                        std::string(folder)
+                  : "PoCL does not work where its cache folder ($XDG_CACHE_HOME/pocl or "
+                    "~/.cache/pocl) is not writable: set POCL_CACHE_DIR to a folder that is";
 }
 
 std::vector<DeviceInfo> list_devices() {

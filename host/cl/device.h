@@ -36,6 +36,10 @@ std::vector<DeviceInfo> list_devices();
 // meant.
 std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& choice);
 
+// What to do about failures without a word from a driver that needs a writable cache folder: PoCL
+// shows no device or builds nothing without it. "" for other platforms.
+std::string cache_hint(const std::string& platform);
+
 // A device with a context and one in-order queue that keeps times. To be owned by main, never
 // static.
 class Device {

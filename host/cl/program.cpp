@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cl/program.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <regex>
 #include <sstream>
@@ -39,27 +40,30 @@ std::string binary_key(const DeviceInfo& info, const std::string& text,
     return sum.hex();
 }
 
-// Keeps the text and the log of a failed build; gives the file's name, or "" if none can be
-// written.
+// Keeps the text and the log of a failed build in the cache folder, or else in a new one of the
+// system's; gives the file's name, or "" if none can be written.
 std::string keep_evidence(const std::string& text, const std::string& options,
                           const std::string& log, const std::string& key) {
     std::string content = "// lobe: this text does not build with " + options + "\n";
     std::istringstream lines(log);
     for (std::string line; std::getline(lines, line);) content += "// " + line + "\n";
     content += text;
-    std::error_code error;
-    for (const std::string& folder :
-         {cache_folder(), std::filesystem::temp_directory_path(error).string()}) {
-        try {
-            if (folder.empty()) continue;
-            std::filesystem::create_directories(folder, error);
-            const std::string path = folder + "/failed-" + key.substr(0, 12) + ".cl";
-            write_file(path, content);
-            return path;
-        } catch (const Error&) {  // try the next folder
-        }
+    const auto write_in = [&](const std::string& folder) {
+        const std::string path = folder + "/failed-" + key.substr(0, 12) + ".cl";
+        write_file(path, content);
+        return path;
+    };
+    try {
+        std::filesystem::create_directories(cache_folder());
+        return write_in(cache_folder());
+    } catch (const std::exception&) {
     }
-    return "";
+    try {  // a name that nobody could have put something at
+        std::string folder = (std::filesystem::temp_directory_path() / "lobe-XXXXXX").string();
+        return mkdtemp(&folder[0]) ? write_in(folder) : "";
+    } catch (const std::exception&) {
+        return "";
+    }
 }
 
 [[noreturn]] void throw_build_error(const cl::Error& error, const Program& program,
@@ -71,12 +75,15 @@ std::string keep_evidence(const std::string& text, const std::string& options,
     } catch (const cl::Error&) {
     }
     BuildFault fault = first_fault(log);
-    if (fault.what.empty())
+    const bool silent = fault.what.empty();
+    if (silent)
         fault.what = std::string(cl_error_name(error.err())) + " (" + std::to_string(error.err()) +
                      ") from " + error.what();
+    std::string hint = silent ? cache_hint(device.info().platform) : "";
     const std::string evidence = keep_evidence(text, options, log, program.key);
-    throw Error(ExitCode::device, "the kernel does not build: " + fault.what, fault.where,
-                evidence.empty() ? "" : "its text and the compiler's log are in " + evidence);
+    if (hint.empty() && !evidence.empty())
+        hint = "its text and the compiler's log are in " + evidence;
+    throw Error(ExitCode::device, "the kernel does not build: " + fault.what, fault.where, hint);
 }
 
 }  // namespace

@@ -148,6 +148,7 @@ void drop_stray_vertices(SubdivisionMesh& mesh) {
 std::string touching_fans(const SubdivisionMesh& mesh, const MeshEdges& edges) {
     std::vector<std::uint32_t> ring;
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+        if (edges.valence[v] == 0) continue;
         one_ring(mesh.triangles, edges, v, ring);
         if (ring.size() != edges.valence[v])
             return "the surface touches itself in vertex " + std::to_string(v);
@@ -159,12 +160,11 @@ std::string touching_fans(const SubdivisionMesh& mesh, const MeshEdges& edges) {
 
 std::string loop_subdivide(SubdivisionMesh& mesh, int levels) {
     MeshEdges edges;
-    const auto original_fault = find_edges(mesh.triangles, mesh.positions.size(), edges);
-    if (!original_fault.empty()) return original_fault;
+    std::string fault = find_edges(mesh.triangles, mesh.positions.size(), edges);
+    if (fault.empty()) fault = touching_fans(mesh, edges);
+    if (!fault.empty()) return fault;
     drop_stray_vertices(mesh);
     find_edges(mesh.triangles, mesh.positions.size(), edges);
-    const std::string fault = touching_fans(mesh, edges);
-    if (!fault.empty()) return fault;
     for (int level = 0; level < levels; ++level) {
         subdivide_once(mesh, edges);
         find_edges(mesh.triangles, mesh.positions.size(), edges);

@@ -50,7 +50,7 @@ std::string pair_half_edges(const std::vector<glm::uvec3>& triangles, std::size_
             MeshEdges::Edge& edge = mesh.edges[edge_to[upper]];
             if (!edge.boundary()) return "more than two triangles share " + show_edge(a, b);
             if (edge.from == a)
-                return "the two triangles at " + show_edge(a, b) + " run in opposite orientation";
+                return "two triangles wind differently at " + show_edge(a, b);
             edge.second = half;
         }
         mesh.edge_of[half] = edge_to[upper];

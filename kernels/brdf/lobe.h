@@ -28,10 +28,12 @@ LobePoint lobe_point(real3 wo, real3 wi) {
 }
 
 // The part of the circle at p about the mirror direction that lies above the horizon: an arc about
-// its highest point, at least half the circle for t > 0. The circle of sine s dips below once s
-// exceeds the mirror direction's own height wo.z.
+// its highest point, at least half the circle for t > 0. The circle, of sine s, dips below once s
+// exceeds the mirror direction's height wo.z, or as well once t falls below its sine: of the equal
+// differences s^2 - wo.z^2 and sine^2 - t^2 the one of smaller numbers is exact.
 real lobe_visible_arc(LobePoint p, real3 wo) {
-    real beyond = p.x * (2 - p.x) - wo.z * wo.z;
+    real beyond = p.x < R(0.5) ? p.x * (2 - p.x) - wo.z * wo.z
+                               : wo.x * wo.x + wo.y * wo.y - p.t * p.t;
     return beyond > 0 ? R(0.5) + 2 * real_angle(larger(p.t, 0) * wo.z, sqrt(beyond)) : 1;
 }
 

@@ -108,7 +108,7 @@ LobePoint rational_invert(real n, real a, real j, real u) {
     real d = (1 - u) * (a * j) * (a / n);
     if (d <= R(1.62)) {
         real s = copysign(sqrt(2 * d), a);
-        p.t = smaller(sqrt(2 * n * j * (1 - u)) * rational_q(s), 1);
+        p.t = smaller(sqrt(2 * (1 - u) * (n * j)) * rational_q(s), 1);
         p.x = 1 - p.t;
     } else if (a > 0) {
         real fall = rational_tree(real_exp(-1 - d));

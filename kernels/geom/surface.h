@@ -75,11 +75,15 @@ Surface sphere_surface(const Shapes* shapes, const Ray* ray, const Hit* hit) {
     return s;
 }
 
+int is_sphere(const Shapes* shapes, uint primitive) {
+    if (!LOBE_HAS_SPHERES) return 0;
+    if (!LOBE_HAS_TRIANGLES) return 1;
+    return primitive >= shapes->triangle_count;
+}
+
 // What `ray` met; `hit` names a primitive.
 Surface surface_at(const Shapes* shapes, const Ray* ray, const Hit* hit) {
-    if (LOBE_HAS_SPHERES && (!LOBE_HAS_TRIANGLES || hit->primitive >= shapes->triangle_count)) {
-        return sphere_surface(shapes, ray, hit);
-    }
+    if (is_sphere(shapes, hit->primitive)) return sphere_surface(shapes, ray, hit);
     return triangle_surface(shapes, hit);
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
 #include "base/error.h"
 #include "base/files.h"
 #include "base/kernel_text.h"
@@ -65,6 +69,24 @@ TEST(BuildProgram, FailureIsToldWithoutAnyCacheFolder) {
     EXPECT_THROW(build_program(test_device(), "kernel void k( {"), Error);
 }
 
+// PoCL shows its device but builds nothing, and its log is empty.
+TEST(BuildProgramDeathTest, PoclWithAFullOrForeignCacheFolder) {
+    const std::string pocl = "/etc/OpenCL/vendors/pocl.icd";
+    if (!std::filesystem::exists(pocl)) GTEST_SKIP() << "no PoCL";
+    const auto build = [&] {
+        setenv("OCL_ICD_VENDORS", pocl.c_str(), 1);
+        setenv("POCL_CACHE_DIR", "/proc", 1);
+        try {
+            build_program(open_device("0"), twice);
+        } catch (const Error& error) {
+            std::cerr << error.message() << std::endl;
+            std::_Exit(static_cast<int>(error.code()));
+        }
+        std::_Exit(0);
+    };
+    EXPECT_EXIT(build(), testing::ExitedWithCode(4), "does not build.*\n.*POCL_CACHE_DIR=/proc");
+}
+
 TEST(BuildProgram, NeverContractsProducts) {
     Random random(1);
     std::vector<float> a(4096), b(4096);
@@ -101,12 +123,10 @@ TEST(BuildProgram, MistakesInCallsHaveNames) {
     EXPECT_THROW(run_probe(program, "twice", 3, in, 2.0f), Error);
 }
 
-TEST(SceneText, NamesEveryFeatureAndModel) {
-    const std::string text = scene_text({"SPHERES"}, {"lambert"});
-    EXPECT_NE(text.find("#define LOBE_HAS_SPHERES 1\n"), std::string::npos);
-    EXPECT_NE(text.find("#define LOBE_HAS_TRIANGLES 0\n"), std::string::npos);
-    EXPECT_NE(text.find("#include \"brdf/lambert.h\"\n"), std::string::npos);
-    EXPECT_NE(text.find("#define LOBE_BRDFS(X) X(lambert)\n"), std::string::npos);
-    EXPECT_LE(all_features().size(), 16u);
-    EXPECT_FALSE(all_brdfs().empty());
+// Everything that the kernels can do compiles together.
+TEST(BuildProgram, BuildsTheGeneralKernel) {
+    const Program program = build_probe("render.cl");
+    EXPECT_NE(program.kernel("render")(), nullptr);
+    EXPECT_NE(program.kernel("prepare")(), nullptr);
+    EXPECT_EQ(program.log, "");
 }

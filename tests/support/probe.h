@@ -15,16 +15,14 @@ namespace lobe::test {
 
 using Texts = std::map<std::string, std::string>;
 
-// Names of all features, and of all models in kernels/brdf/.
-std::vector<std::string> all_features();
-std::vector<std::string> all_brdfs();
+// Names of all models in kernels/brdf/, sorted.
+std::vector<std::string> all_models();
 
-// The text of lobe_scene.h for these features and models.
-std::string scene_text(const std::vector<std::string>& features = all_features(),
-                       const std::vector<std::string>& brdfs = all_brdfs());
+// The text of lobe_scene.h for the general kernel: all features, all models.
+std::string general_scene_text();
 
 // Flattens a kernel file (or the text `texts[path]`) and builds it for test_device(). Where `texts`
-// has no "lobe_scene.h", one with all features and models is taken.
+// has no "lobe_scene.h", the general one is taken.
 Program build_probe(const std::string& path, Texts texts = {}, const ProgramOptions& options = {});
 
 // Runs a kernel once over `count` work-items and waits.

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/files.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
+#include <functional>
 
 #include "support/temp_folder.h"
 
@@ -82,15 +86,33 @@ TEST(WriteFile, RefusesWhatCannotBeWritten) {
     EXPECT_EQ(code_of([&] { write_file(folder.path(), "x"); }), ExitCode::output);
     EXPECT_EQ(code_of([&] { write_file(folder.file("no/such/folder"), "x"); }), ExitCode::output);
     EXPECT_EQ(code_of([&] { check_writable(folder.file("no/such/folder")); }), ExitCode::output);
-    EXPECT_EQ(code_of([&] { write_file("/dev/full", "x"); }), ExitCode::output);
     EXPECT_EQ(code_of([&] { check_writable(folder.file("fine")); }), ExitCode::ok);
     EXPECT_EQ(files_in(folder.path()), 0u);
     EXPECT_THROW(write_file("", "x"), Error);
 }
 
-TEST(WriteFile, NeverReplacesADevice) {
-    write_file("/dev/null", "x");
-    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+TEST(WriteFile, NeverReplacesAPipe) {
+    const TempFolder folder;
+    const std::string path = folder.file("pipe");
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    const int reader = open(path.c_str(), O_RDWR | O_NONBLOCK);
+    write_file(path, "hello");
+    EXPECT_TRUE(fs::is_fifo(path));
+    char bytes[16] = {};
+    EXPECT_EQ(read(reader, bytes, sizeof bytes), 5);
+    EXPECT_STREQ(bytes, "hello");
+    close(reader);
+}
+
+// A device of our own, since a faulty write_file run by root would replace the machine's /dev/full.
+TEST(WriteFile, AFullDeviceIsAnError) {
+    const TempFolder folder;
+    const std::string own = folder.file("full");
+    if (geteuid() == 0 && mknod(own.c_str(), S_IFCHR | 0666, makedev(1, 7)) != 0)
+        GTEST_SKIP() << "cannot make a device file";
+    const std::string path = geteuid() == 0 ? own : "/dev/full";
+    EXPECT_EQ(code_of([&] { write_file(path, "x"); }), ExitCode::output);
+    EXPECT_TRUE(fs::is_character_file(path));
 }
 
 // A disk that is full in the middle: the limit on file sizes stands in for it.

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes made in code, and the rays and hits of the geometry tests.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+#include "support/random.h"
+
+namespace lobe::test {
+
+// The unit sphere from an icosahedron, each triangle cut in four `levels` times: 20 * 4^levels.
+Mesh icosphere(int levels);
+
+// A closed torus about z of radii 1 and `tube`, with bumps: 2 * around * across triangles.
+Mesh bumpy_torus(unsigned around, unsigned across, double tube = 0.4, double bumps = 0.1);
+
+// The box [-1, 1]^3: 12 triangles that face outwards.
+Mesh cube();
+
+// The rectangle of corners c, c + a, c + a + b, c + b; its normal is a x b.
+Mesh rectangle(const glm::dvec3& c, const glm::dvec3& a, const glm::dvec3& b);
+
+// `count` triangles anywhere in [-1, 1]^3: most small, some huge, some slivers, some without area,
+// some in the planes of the axes, some given twice.
+Mesh triangle_soup(Random& random, unsigned count);
+
+void transform(Mesh& mesh, const glm::dmat4& matrix);
+
+glm::dvec3 random_direction(Random& random);
+glm::dvec3 random_point(Random& random);  // in [-1, 1]^3
+
+}  // namespace lobe::test
