@@ -73,7 +73,7 @@ BvhTree::BvhTree(const std::vector<Bounds>& bounds) {
     arguments.maxDepth = max_depth;
     arguments.sahBlockSize = 8;
     arguments.minLeafSize = 8;
-    arguments.maxLeafSize = 16;
+    arguments.maxLeafSize = 8;
     arguments.bvh = bvh_;
     arguments.primitives = primitives.data();
     arguments.primitiveCount = primitives.size();

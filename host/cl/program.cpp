@@ -3,7 +3,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <regex>
 #include <sstream>
 
 #include "base/error.h"
@@ -11,6 +10,7 @@
 #include "base/sha256.h"
 #include "base/timer.h"
 #include "cl/binary_cache.h"
+#include "cl/build_log.h"
 #include "cl/cl_error.h"
 #include "cl/device.h"
 
@@ -74,7 +74,7 @@ std::string keep_evidence(const std::string& text, const std::string& options,
         log = program.program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device());
     } catch (const cl::Error&) {
     }
-    BuildFault fault = first_fault(log);
+    BuildFault fault = first_fault(log, text);
     const bool silent = fault.what.empty();
     if (silent)
         fault.what = std::string(cl_error_name(error.err())) + " (" + std::to_string(error.err()) +
@@ -90,24 +90,6 @@ std::string keep_evidence(const std::string& text, const std::string& options,
 
 cl::Kernel Program::kernel(const std::string& name) const {
     return checked([&] { return cl::Kernel(program, name.c_str()); });
-}
-
-// PoCL writes `error: core/real.h:5:40: text`, Clang `core/real.h:5:40: error: text`.
-BuildFault first_fault(const std::string& log) {
-    static const std::regex located("(.+?):([0-9]+):([0-9]+): *(.*)");
-    static const std::regex marker("(fatal )?error: *");
-    std::istringstream lines(log);
-    std::string first;
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.empty() && line.back() == '\r') line.pop_back();
-        std::smatch error, place;
-        if (!std::regex_search(line, error, marker)) continue;
-        const std::string rest = error.prefix().str() + error.suffix().str();
-        if (std::regex_match(rest, place, located))
-            return {place.str(1) + ":" + place.str(2) + ":" + place.str(3), place.str(4)};
-        if (first.empty()) first = rest;
-    }
-    return {"", first};
 }
 
 Program build_program(const Device& device, const std::string& source,

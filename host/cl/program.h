@@ -30,10 +30,4 @@ struct Program {
 Program build_program(const Device& device, const std::string& source,
                       const ProgramOptions& options = {});
 
-// Where a build log's first error is, and what it says: {"core/real.h:5:40", "unknown type"}.
-struct BuildFault {
-    std::string where, what;
-};
-BuildFault first_fault(const std::string& log);
-
 }  // namespace lobe

@@ -13,8 +13,6 @@
 namespace lobe {
 namespace {
 
-// Bytes a material's prepared form takes on the device: LOBE_PREPARED_BYTES of brdf/brdf.h.
-constexpr std::size_t prepared_bytes = 512;
 // A launch's sums stay below this, so that large films need no large buffer.
 constexpr std::size_t sums_bytes = 256u << 20;
 // OpenCL runtimes compile anew for grids of 65,536 and more.
@@ -36,7 +34,7 @@ struct Session::Buffers {
           surfaces(d, s.surfaces, "surfaces"),
           materials(d, s.materials, "materials"),
           rows(d, s.rows, "material parameters"),
-          prepared(d, s.materials.size() * prepared_bytes, "prepared materials"),
+          prepared(d, s.materials.size() * LOBE_PREPARED_BYTES, "prepared materials"),
           lights(d, s.lights.lights, "lights"),
           light_sums(d, s.lights.sums, "light table"),
           filter(d, s.filter_nodes, "filter table"),

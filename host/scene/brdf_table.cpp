@@ -21,7 +21,8 @@ struct Body {
 
 // The definition of NAME_parameters(P), continuation lines joined by newlines.
 Body find_body(const std::string& text) {
-    static const std::regex define(R"(#define[ \t]+([a-z][a-z0-9_]*)_parameters\(P\)[ \t]*\\\r?\n)");
+    static const std::regex define(
+        R"(#define[ \t]+([a-z][a-z0-9_]*)_parameters\(P\)[ \t]*\\\r?\n)");
     std::smatch match;
     if (!std::regex_search(text, match, define)) return {};
     Body body{match[1], "", 1};
@@ -119,10 +120,11 @@ BrdfTable parse_brdf_table(const std::string& file, const std::string& text) {
         std::smatch match;
         if (!std::regex_search(at, body.text.end(), match, form,
                                std::regex_constants::match_continuous))
-            throw Error(ExitCode::scene, "a row of " + table.name + "_parameters is malformed", where,
-                        "P(color|number|integer|choice, name, default, lowest, highest, \"meaning\")");
-        BrdfParameter row{kind_of(match[1]), match[2],        bound(match[3]), bound(match[4]),
-                          bound(match[5]),   {},              match[6]};
+            throw Error(
+                ExitCode::scene, "a row of " + table.name + "_parameters is malformed", where,
+                "P(color|number|integer|choice, name, default, lowest, highest, \"meaning\")");
+        BrdfParameter row{kind_of(match[1]), match[2], bound(match[3]), bound(match[4]),
+                          bound(match[5]),   {},       match[6]};
         if (row.kind == BrdfParameterKind::choice) row.choices = split_choices(row.meaning);
         const std::string fault = fault_of(row, table.parameters);
         if (!fault.empty())

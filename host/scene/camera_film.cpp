@@ -19,13 +19,8 @@ constexpr double tiny = std::numeric_limits<double>::min();
 void check_class(const Statement& statement, const std::vector<std::string>& known,
                  const std::vector<std::string>& later) {
     const Text& kind = statement.strings[0];
-    const auto in = [&](const std::vector<std::string>& list) {
-        return std::find(list.begin(), list.end(), kind.text) != list.end();
-    };
-    if (in(known)) return;
-    if (in(later))
-        fail(kind.place, statement.title() + " is understood but not supported yet", choices(known));
-    fail(kind.place, "unknown " + statement.title(), suggestion(kind.text, known));
+    if (std::find(known.begin(), known.end(), kind.text) == known.end())
+        fail_class(kind.place, statement.name, kind.text, known, later);
 }
 
 // Fails if the file gives a parameter another value than the one that changes nothing.
@@ -80,7 +75,8 @@ void set_defaults(Scene& scene) {
 
 void read_camera(const Statement& statement, const glm::dmat4& world_to_camera,
                  ReadContext& context) {
-    check_class(statement, {"perspective"}, {"orthographic", "environment", "spherical", "realistic"});
+    check_class(statement, {"perspective"},
+                {"orthographic", "environment", "spherical", "realistic"});
     Parameters p(statement, context);
     Camera& camera = context.scene.camera;
     camera = {};
@@ -113,7 +109,8 @@ void read_film(const Statement& statement, ReadContext& context) {
         film.crop = {unit(std::min(c[0], c[1])), unit(std::max(c[0], c[1])),
                      unit(std::min(c[2], c[3])), unit(std::max(c[2], c[3]))};
         if (!(film.crop[0] < film.crop[1] && film.crop[2] < film.crop[3]))
-            fail(p.last_place(), "the crop window is empty", "it is [ x0 x1 y0 y1 ] within 0 and 1");
+            fail(p.last_place(), "the crop window is empty",
+                 "it is [ x0 x1 y0 y1 ] within 0 and 1");
     }
     p.refuse({"pixelbounds"}, "use cropwindow");
     p.ignore({"diagonal", "savefp16", "coordinatesystem"});
@@ -160,9 +157,9 @@ void read_filter(const Statement& statement, ReadContext& context) {
 
 void read_sampler(const Statement& statement, ReadContext& context) {
     const std::vector<std::string> four{"random", "independent"};
-    const std::vector<std::string> sixteen{"halton",  "sobol",    "zerotwosequence", "lowdiscrepancy",
-                                           "02sequence", "maxmindist", "paddedsobol", "zsobol",
-                                           "pmj02bn"};
+    const std::vector<std::string> sixteen{"halton",         "sobol",      "zerotwosequence",
+                                           "lowdiscrepancy", "02sequence", "maxmindist",
+                                           "paddedsobol",    "zsobol",     "pmj02bn"};
     std::vector<std::string> known = sixteen;
     known.insert(known.end(), four.begin(), four.end());
     known.push_back("stratified");

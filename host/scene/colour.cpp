@@ -17,10 +17,11 @@ double lobe_of(double nm, double peak, double below, double above) {
 // "Simple Analytic Approximations to the CIE XYZ Color Matching Functions", JCGT 2(2), 2013,
 // multi-lobe fit of the 1931 observer.
 glm::dvec3 observer(double nm) {
-    return {0.362 * lobe_of(nm, 442.0, 0.0624, 0.0374) + 1.056 * lobe_of(nm, 599.8, 0.0264, 0.0323) -
-                0.065 * lobe_of(nm, 501.1, 0.0490, 0.0382),
-            0.821 * lobe_of(nm, 568.8, 0.0213, 0.0247) + 0.286 * lobe_of(nm, 530.9, 0.0613, 0.0322),
-            1.217 * lobe_of(nm, 437.0, 0.0845, 0.0278) + 0.681 * lobe_of(nm, 459.0, 0.0385, 0.0725)};
+    return {
+        0.362 * lobe_of(nm, 442.0, 0.0624, 0.0374) + 1.056 * lobe_of(nm, 599.8, 0.0264, 0.0323) -
+            0.065 * lobe_of(nm, 501.1, 0.0490, 0.0382),
+        0.821 * lobe_of(nm, 568.8, 0.0213, 0.0247) + 0.286 * lobe_of(nm, 530.9, 0.0613, 0.0322),
+        1.217 * lobe_of(nm, 437.0, 0.0845, 0.0278) + 0.681 * lobe_of(nm, 459.0, 0.0385, 0.0725)};
 }
 
 // Integral of a spectrum against the observer, over that of the observer's luminance.

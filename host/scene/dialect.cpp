@@ -34,21 +34,23 @@ const std::set<Pair> v4_classes{
     {"Shape", "bilinearmesh"},
 };
 
-const std::set<std::string> v3_materials{"matte",  "plastic", "metal",     "mirror",
-                                         "glass",  "uber",    "substrate", "translucent",
+const std::set<std::string> v3_materials{"matte",  "plastic", "metal",       "mirror",
+                                         "glass",  "uber",    "substrate",   "translucent",
                                          "disney", "fourier", "kdsubsurface"};
 const std::set<std::string> v4_materials{
     "diffuse",        "coateddiffuse",       "conductor", "coatedconductor", "dielectric",
     "thindielectric", "diffusetransmission", "interface", "measured"};
 
 const std::set<Pair> v3_parameters{
-    {"PixelFilter", "xwidth"}, {"PixelFilter", "ywidth"},       {"PixelFilter", "alpha"},
-    {"LightSource", "mapname"}, {"Shape", "nlevels"},           {"LightSource", "nsamples"},
-    {"LightSource", "samples"}, {"AreaLightSource", "nsamples"}, {"AreaLightSource", "samples"},
+    {"PixelFilter", "xwidth"},      {"PixelFilter", "ywidth"},
+    {"PixelFilter", "alpha"},       {"LightSource", "mapname"},
+    {"Shape", "nlevels"},           {"LightSource", "nsamples"},
+    {"LightSource", "samples"},     {"AreaLightSource", "nsamples"},
+    {"AreaLightSource", "samples"},
 };
 const std::set<Pair> v4_parameters{
-    {"PixelFilter", "xradius"}, {"PixelFilter", "yradius"},     {"PixelFilter", "sigma"},
-    {"LightSource", "power"},   {"LightSource", "illuminance"}, {"LightSource", "filename"},
+    {"PixelFilter", "xradius"},   {"PixelFilter", "yradius"},     {"PixelFilter", "sigma"},
+    {"LightSource", "power"},     {"LightSource", "illuminance"}, {"LightSource", "filename"},
     {"AreaLightSource", "power"},
 };
 

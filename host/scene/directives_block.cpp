@@ -11,12 +11,13 @@ void SceneReader::begin(BlockKind kind, const Statement& s) {
 }
 
 SceneReader::Block SceneReader::end(BlockKind kind, const Statement& s) {
-    static const char* const names[] = {"AttributeBegin", "TransformBegin", "ObjectBegin", "Import"};
-    if (blocks_.empty())
-        fail(s.place, s.name + " without " + names[static_cast<int>(kind)]);
+    static const char* const names[] = {"AttributeBegin", "TransformBegin", "ObjectBegin",
+                                        "Import"};
+    if (blocks_.empty()) fail(s.place, s.name + " without " + names[static_cast<int>(kind)]);
     if (blocks_.back().kind != kind)
-        fail(s.place, s.name + " ends a block that " + names[static_cast<int>(blocks_.back().kind)] +
-                          " began at " + to_string(blocks_.back().place));
+        fail(s.place, s.name + " ends a block that " +
+                          names[static_cast<int>(blocks_.back().kind)] + " began at " +
+                          to_string(blocks_.back().place));
     Block block = std::move(blocks_.back());
     blocks_.pop_back();
     return block;
@@ -69,10 +70,11 @@ void SceneReader::object_instance(const Statement& s) {
     }
     for (const Shape& shape : found->second) {
         bool fits = true;
-        scene_.shapes.push_back(moved(shape, state_.transform, fits));
+        Shape instance = moved(shape, state_.transform, fits);
         if (!fits)
             fail(s.place, "object \"" + name.text + "\" does not fit this transform: " +
                               "a sphere is stretched, or a vertex is not finite");
+        add_shape(s, std::move(instance));
     }
 }
 
@@ -86,8 +88,8 @@ void SceneReader::world_begin(const Statement& s) {
 
 void SceneReader::world_end(const Statement& s) {
     if (!blocks_.empty())
-        context_.fault(s.place, "WorldEnd within the block that began at " +
-                                    to_string(blocks_.back().place),
+        context_.fault(s.place,
+                       "WorldEnd within the block that began at " + to_string(blocks_.back().place),
                        "end the block first");
     blocks_.clear();
     world_ended_ = true;

@@ -8,6 +8,12 @@
 
 namespace lobe {
 
+namespace {
+
+constexpr std::size_t triangles_limit = std::size_t(1) << 28;
+
+}  // namespace
+
 void SceneReader::camera(const Statement& s) {
     read_camera(s, state_.transform, context_);
     coordinate_systems_["camera"] = scene_.camera.camera_to_world;
@@ -18,6 +24,8 @@ void SceneReader::pixel_filter(const Statement& s) { read_filter(s, context_); }
 void SceneReader::sampler(const Statement& s) { read_sampler(s, context_); }
 void SceneReader::integrator(const Statement& s) { read_integrator(s, context_); }
 void SceneReader::ignored(const Statement&) {}
+
+void SceneReader::option(const Statement& s) { context_.warn(s.place, "Option is left out"); }
 
 void SceneReader::color_space(const Statement& s) {
     const Text& name = s.strings[0];
@@ -52,9 +60,20 @@ std::uint32_t SceneReader::add_material(Material material) {
     return static_cast<std::uint32_t>(scene_.materials.size() - 1);
 }
 
+// With --lenient a material of unknown type is the standard one.
+Material SceneReader::understand(const Statement& s, const std::string& type, const Place& place) {
+    try {
+        return read_material(s, type, place, context_);
+    } catch (const UnknownClass& unknown) {
+        if (!context_.options.lenient) throw;
+        context_.warn(place, std::string(unknown.what()) + ": taken for matte");
+        return standard_material(context_);
+    }
+}
+
 void SceneReader::material(const Statement& s) {
     const Text& type = s.strings[0];
-    state_.material = add_material(read_material(s, type.text, type.place, context_));
+    state_.material = add_material(understand(s, type.text, type.place));
 }
 
 void SceneReader::make_named_material(const Statement& s) {
@@ -64,7 +83,7 @@ void SceneReader::make_named_material(const Statement& s) {
     const std::string type = parameters.text({"type"}, "");
     if (!given)
         fail(s.place, s.title() + " lacks its parameter \"type\"", "\"string type\" \"matte\"");
-    Material material = read_material(s, type, given->values_place, context_);
+    Material material = understand(s, type, given->values_place);
     Names& names = names_to_change();
     const auto old = names.materials.find(name.text);
     if (old == names.materials.end()) {
@@ -119,8 +138,7 @@ void SceneReader::area_light(const Statement& s) {
 void SceneReader::light(const Statement& s) { read_light(s, state_.transform, context_); }
 
 void SceneReader::shape(const Statement& s) {
-    Shape shape =
-        read_shape(s, state_.transform, state_.reverse_orientation, context_, hash_);
+    Shape shape = read_shape(s, state_.transform, state_.reverse_orientation, context_, hash_);
     if (state_.area_light) {
         if (shapes_ != &scene_.shapes)
             fail(s.place, "an area light on a shape of an object is not supported",
@@ -133,7 +151,15 @@ void SceneReader::shape(const Statement& s) {
     } else {
         shape.material = *state_.material;
     }
+    if (shapes_ == &scene_.shapes) return add_shape(s, std::move(shape));
     shapes_->push_back(std::move(shape));
+}
+
+void SceneReader::add_shape(const Statement& s, Shape shape) {
+    if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) triangles_ += mesh->triangles.size();
+    if (triangles_ > triangles_limit)
+        fail(s.place, "the scene has more than " + std::to_string(triangles_limit) + " triangles");
+    scene_.shapes.push_back(std::move(shape));
 }
 
 }  // namespace lobe

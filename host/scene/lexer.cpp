@@ -7,7 +7,9 @@ namespace lobe {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v'; }
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
+}
 bool ends_word(char c) { return is_blank(c) || c == '"' || c == '[' || c == ']' || c == '#'; }
 
 }  // namespace
@@ -66,9 +68,8 @@ std::string unescape(std::string_view text) {
     out.reserve(text.size());
     static const std::string_view letters = "nrtbf\\\"'", meanings = "\n\r\t\b\f\\\"'";
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const std::size_t known = text[i] == '\\' && i + 1 < text.size()
-                                      ? letters.find(text[i + 1])
-                                      : std::string_view::npos;
+        const std::size_t known = text[i] == '\\' && i + 1 < text.size() ? letters.find(text[i + 1])
+                                                                         : std::string_view::npos;
         if (known == std::string_view::npos) {
             out += text[i];
         } else {

@@ -83,8 +83,7 @@ double emitter_area(const AreaLight& light, const Shape& shape) {
 AreaLight read_area_light(const Statement& statement, const ReadContext& context) {
     const Text& kind = statement.strings[0];
     if (kind.text != "diffuse" && kind.text != "area")
-        fail(kind.place, "unknown area light \"" + kind.text + "\"",
-             suggestion(kind.text, {"diffuse", "area"}));
+        fail_class(kind.place, "AreaLightSource", kind.text, {"area", "diffuse"}, {});
     Parameters p(statement, context);
     p.refuse({"filename"}, "emission textures are not there yet: give L");
     p.ignore({"samples", "nsamples"});
@@ -118,13 +117,8 @@ void read_light(const Statement& statement, const glm::dmat4& light_to_world,
     } else if (kind.text == "infinite") {
         read_environment(p, context.scene);
     } else {
-        const std::vector<std::string> known{"distant", "infinite", "point"};
-        for (const char* later : {"spot", "goniometric", "projection", "exinfinite"})
-            if (kind.text == later)
-                fail(kind.place,
-                     "light \"" + kind.text + "\" is understood but not supported yet",
-                     choices(known));
-        fail(kind.place, "unknown light \"" + kind.text + "\"", suggestion(kind.text, known));
+        fail_class(kind.place, "LightSource", kind.text, {"distant", "infinite", "point"},
+                   {"goniometric", "projection", "spot"});
     }
     p.finish();
 }

@@ -14,7 +14,9 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-double ring_weight(std::uint32_t valence) { return valence == 3 ? 3.0 / 16 : 3.0 / (8.0 * valence); }
+double ring_weight(std::uint32_t valence) {
+    return valence == 3 ? 3.0 / 16 : 3.0 / (8.0 * valence);
+}
 
 // Every vertex moved by its ring (weight_of(valence) a neighbour) or, on the boundary, by its two
 // boundary neighbours (boundary_weight each).
@@ -83,7 +85,8 @@ glm::dvec3 boundary_normal(const std::vector<glm::dvec3>& p, const glm::dvec3& c
     if (n == 2) return glm::cross(along, p[ring[0]] + p[ring[1]] - 2.0 * centre);
     if (n == 3) return glm::cross(along, p[ring[1]] - centre);
     if (n == 4)
-        return glm::cross(along, 2.0 * (p[ring[1]] + p[ring[2]] - centre) - p[ring[0]] - p[ring[3]]);
+        return glm::cross(along,
+                          2.0 * (p[ring[1]] + p[ring[2]] - centre) - p[ring[0]] - p[ring[3]]);
     const double theta = pi / static_cast<double>(n - 1);
     glm::dvec3 across = -std::sin(theta) * (p[ring[0]] + p[ring[n - 1]]);
     for (std::size_t k = 1; k + 1 < n; ++k)
@@ -120,9 +123,9 @@ std::vector<glm::dvec3> limit_normals(const SubdivisionMesh& mesh, const MeshEdg
         const std::size_t n = ring.size();
         if (n >= circles.size()) circles.resize(n + 1);
         if (circles[n].empty()) circles[n] = circle_of(n);
-        const glm::dvec3 normal =
-            edges.boundary[v] ? boundary_normal(mesh.positions, mesh.positions[v], ring)
-                              : inner_normal(mesh.positions, ring, circles[n]);
+        const glm::dvec3 normal = edges.boundary[v]
+                                      ? boundary_normal(mesh.positions, mesh.positions[v], ring)
+                                      : inner_normal(mesh.positions, ring, circles[n]);
         if (glm::dot(normal, normal) > 0) normals[v] = normal;
         const double length = glm::length(normals[v]);
         normals[v] = length > 0 ? normals[v] / length : glm::dvec3(0, 0, 1);

@@ -38,7 +38,8 @@ double alpha_of(double roughness, bool remap, bool v4) {
 MaterialRows matte(Parameters& p, const ReadContext& context) {
     MaterialRows rows(model_table(context, "lambert"));
     rows.set("kd", reflectance(p, {"Kd", "reflectance"}, 0.5, context) / pi);
-    if (p.number({"sigma"}, 0) != 0) p.refuse({"sigma"}, "Oren-Nayar is not there yet: use sigma 0");
+    if (p.number({"sigma"}, 0) != 0)
+        p.refuse({"sigma"}, "Oren-Nayar is not there yet: use sigma 0");
     p.refuse({"bumpmap", "displacement", "normalmap"});
     return rows;
 }
@@ -51,7 +52,9 @@ MaterialRows plastic(Parameters& p, const ReadContext& context) {
     const double roughness = p.number({"roughness"}, 0.1);
     p.check_range(roughness, 0, 10);
     rows.set("alpha", alpha_of(roughness, remap, false));
-    rows.set("eta", 1.5);
+    // pbrt-v3 passes the two indices in the order (1.5, 1), unlike its book, and its author keeps it
+    // so for the sake of existing scenes: its plastic reflects as seen from inside.
+    rows.set("eta", 1 / 1.5);
     p.refuse({"bumpmap", "displacement", "normalmap"});
     return rows;
 }
@@ -82,7 +85,8 @@ MaterialRows conductor_of(Parameters& p, const ReadContext& context, bool v4) {
     const bool remap = p.flag({"remaproughness"}, true);
     const double roughness = p.number({"roughness"}, v4 ? 0 : 0.01);
     p.check_range(roughness, 0, 10);
-    for (const auto& [parameter, row] : {std::pair("uroughness", "alpha_x"), {"vroughness", "alpha_y"}}) {
+    for (const auto& [parameter, row] :
+         {std::pair("uroughness", "alpha_x"), {"vroughness", "alpha_y"}}) {
         const double value = p.number({parameter}, roughness);
         p.check_range(value, 0, 10);
         rows.set(row, alpha_of(value, remap, v4));
@@ -113,9 +117,24 @@ const std::map<std::string, Reader> readers{
 };
 
 const std::vector<std::string> not_yet{
-    "",        "none",        "interface",     "coatedconductor",     "coateddiffuse", "dielectric",
-    "disney",  "fourier",     "glass",         "hair",                "kdsubsurface",  "measured",
-    "mix",     "substrate",   "subsurface",    "diffusetransmission", "translucent",   "uber",
+    "",
+    "none",
+    "interface",
+    "coatedconductor",
+    "coateddiffuse",
+    "dielectric",
+    "disney",
+    "fourier",
+    "glass",
+    "hair",
+    "kdsubsurface",
+    "measured",
+    "mix",
+    "substrate",
+    "subsurface",
+    "diffusetransmission",
+    "translucent",
+    "uber",
     "thindielectric",
 };
 
@@ -125,9 +144,7 @@ const std::vector<std::string> not_yet{
     for (const auto& row : readers) names.push_back(row.first);
     for (const BrdfTable& table : context.models)
         if (!readers.count(table.name)) names.push_back(table.name);
-    if (std::find(not_yet.begin(), not_yet.end(), type) != not_yet.end())
-        fail(place, "material \"" + type + "\" is understood but not supported yet", choices(names));
-    fail(place, "unknown material \"" + type + "\"", suggestion(type, names));
+    fail_class(place, "material", type, names, not_yet);
 }
 
 }  // namespace

@@ -49,8 +49,7 @@ std::string pair_half_edges(const std::vector<glm::uvec3>& triangles, std::size_
         } else {
             MeshEdges::Edge& edge = mesh.edges[edge_to[upper]];
             if (!edge.boundary()) return "more than two triangles share " + show_edge(a, b);
-            if (edge.from == a)
-                return "two triangles wind differently at " + show_edge(a, b);
+            if (edge.from == a) return "two triangles wind differently at " + show_edge(a, b);
             edge.second = half;
         }
         mesh.edge_of[half] = edge_to[upper];
@@ -84,8 +83,8 @@ std::string find_edges(const std::vector<glm::uvec3>& triangles, std::size_t ver
     return "";
 }
 
-void one_ring(const std::vector<glm::uvec3>& triangles, const MeshEdges& mesh,
-              std::uint32_t vertex, std::vector<std::uint32_t>& ring) {
+void one_ring(const std::vector<glm::uvec3>& triangles, const MeshEdges& mesh, std::uint32_t vertex,
+              std::vector<std::uint32_t>& ring) {
     ring.clear();
     const std::uint32_t start = mesh.outgoing[vertex];
     std::uint32_t half = start;

@@ -15,16 +15,17 @@ struct MeshEdges {
     static constexpr std::uint32_t none = 0xffffffffu;
 
     struct Edge {
-        std::uint32_t from, to;      // as its first half-edge runs
+        std::uint32_t from, to;       // as its first half-edge runs
         std::uint32_t first, second;  // its half-edges; second is none on the boundary
         bool boundary() const { return second == none; }
     };
 
     std::vector<Edge> edges;
-    std::vector<std::uint32_t> edge_of;   // of each half-edge
-    std::vector<std::uint32_t> outgoing;  // a half-edge from each vertex: a boundary one if there is
-    std::vector<std::uint32_t> valence;   // edges at each vertex
-    std::vector<std::uint8_t> boundary;   // boundary edges at each vertex: 0 or 2
+    std::vector<std::uint32_t> edge_of;  // of each half-edge
+    std::vector<std::uint32_t>
+        outgoing;                        // a half-edge from each vertex: a boundary one if there is
+    std::vector<std::uint32_t> valence;  // edges at each vertex
+    std::vector<std::uint8_t> boundary;  // boundary edges at each vertex: 0 or 2
 
     std::uint32_t twin(std::uint32_t half) const {
         const Edge& edge = edges[edge_of[half]];

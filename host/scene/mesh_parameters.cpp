@@ -70,8 +70,8 @@ Mesh read_triangle_mesh(Parameters& p) {
     if (const auto* n = per_vertex(p, {"N"}, {Type::normal, Type::vector3}, 3, vertices))
         for (const glm::dvec3& normal : positions_of(*n))
             mesh.normals.emplace_back(glm::length(normal) > 0 ? glm::normalize(normal) : normal);
-    if (const auto* uv = per_vertex(p, {"uv", "st"}, {Type::point2, Type::number, Type::vector2}, 2,
-                                    vertices))
+    if (const auto* uv =
+            per_vertex(p, {"uv", "st"}, {Type::point2, Type::number, Type::vector2}, 2, vertices))
         for (std::size_t i = 0; i < vertices; ++i)
             mesh.uvs.emplace_back(uv->numbers[2 * i], uv->numbers[2 * i + 1]);
     p.ignore({"S", "faceIndices", "discarddegenerateUVs"});
@@ -93,8 +93,7 @@ Mesh read_loop_mesh(Parameters& p) {
     const std::string scheme = p.text({"scheme"}, "loop");
     if (scheme != "loop") fail(p.last_place(), "unknown subdivision scheme \"" + scheme + "\"");
     const std::string fault = loop_subdivide(mesh, levels);
-    if (!fault.empty())
-        fail(indices.place, "loopsubdiv wants a manifold mesh: " + fault);
+    if (!fault.empty()) fail(indices.place, "loopsubdiv wants a manifold mesh: " + fault);
     Mesh out;
     out.positions = std::move(mesh.positions);
     out.triangles = std::move(mesh.triangles);

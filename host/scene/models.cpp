@@ -34,7 +34,8 @@ std::vector<std::string> model_names(const std::vector<BrdfTable>& models) {
 double choice_of(const Parameter& given, const BrdfParameter& row) {
     const bool text = given.type == ParameterType::string || given.type == ParameterType::boolean;
     if (!text || given.strings.size() != 1)
-        fail(given.place, "parameter \"" + given.name + "\" wants one string, has " + given.spelling,
+        fail(given.place,
+             "parameter \"" + given.name + "\" wants one string, has " + given.spelling,
              choices(row.choices));
     const auto found = std::find(row.choices.begin(), row.choices.end(), given.strings[0]);
     if (found == row.choices.end())
@@ -53,8 +54,8 @@ glm::dvec3 value_of(Parameters& parameters, const Parameter& given, const BrdfPa
     }
     const double value = parameters.number_of(given, std::isinf(row.highest));
     if (row.kind == BrdfParameterKind::integer && value != std::floor(value))
-        fail(given.values_place, "parameter \"" + given.name + "\" wants a whole number, has " +
-                                     show(value));
+        fail(given.values_place,
+             "parameter \"" + given.name + "\" wants a whole number, has " + show(value));
     parameters.check_range(value, row.lowest, row.highest);
     return {value, 0, 0};
 }
@@ -67,14 +68,16 @@ void MaterialRows::set(const std::string& name, const glm::dvec3& colour) {
         throw Error(ExitCode::scene,
                     "model '" + table_.name + "' has no parameter '" + name + "' in its table",
                     table_.file);
-    rows_[static_cast<std::size_t>(place)] = {static_cast<float>(colour.x), static_cast<float>(colour.y),
+    rows_[static_cast<std::size_t>(place)] = {static_cast<float>(colour.x),
+                                              static_cast<float>(colour.y),
                                               static_cast<float>(colour.z), 0};
 }
 
 const BrdfTable& model_table(const ReadContext& context, const std::string& name) {
     for (const BrdfTable& table : context.models)
         if (table.name == name) return table;
-    throw Error(ExitCode::scene, "the model '" + name + "' is missing from the kernels' brdf folder",
+    throw Error(ExitCode::scene,
+                "the model '" + name + "' is missing from the kernels' brdf folder",
                 context.scene.path, choices(model_names(context.models)));
 }
 
@@ -103,14 +106,16 @@ void replace_model(Material& material, const ReadContext& context, const Place& 
                     suggestion(pair->second, model_names(context.models)));
     const BrdfTable& old = model_table(context, material.brdf);
     if (old.find("kd") < 0)
-        fail(place, "--replace cannot take the place of material \"" + material.type +
-                        "\", which has no diffuse part",
+        fail(place,
+             "--replace cannot take the place of material \"" + material.type +
+                 "\", which has no diffuse part",
              "it can for matte, diffuse, plastic and the models with kd");
     Material fresh{table->name, table->default_rows(), material.type, material.where};
     for (std::size_t i = 0; i < table->parameters.size(); ++i) {
         const BrdfParameter& row = table->parameters[i];
         const int from = old.find(row.name);
-        const bool same = from >= 0 && old.parameters[static_cast<std::size_t>(from)].kind == row.kind;
+        const bool same =
+            from >= 0 && old.parameters[static_cast<std::size_t>(from)].kind == row.kind;
         if (same) {
             fresh.rows[i] = material.rows[static_cast<std::size_t>(from)];
         } else if (row.name == "ks") {
@@ -125,9 +130,8 @@ void replace_model(Material& material, const ReadContext& context, const Place& 
 void check_replacements(const ReadContext& context) {
     for (const auto& pair : context.options.replace) {
         const auto& materials = context.scene.materials;
-        const bool found = std::any_of(materials.begin(), materials.end(), [&](const Material& m) {
-            return m.type == pair.first;
-        });
+        const bool found = std::any_of(materials.begin(), materials.end(),
+                                       [&](const Material& m) { return m.type == pair.first; });
         if (!found)
             context.scene.warnings.push_back("--replace " + pair.first + "=" + pair.second +
                                              ": no material of the scene is of that type");

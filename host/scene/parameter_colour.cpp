@@ -31,8 +31,9 @@ glm::dvec3 blackbody(const ReadContext& context, const Parameter& parameter, Col
     const std::vector<double>& v = parameter.numbers;
     const std::size_t wanted = context.v4() ? 1 : 2;
     if (v.size() != wanted)
-        fail(parameter.place, "a blackbody wants " + std::to_string(wanted) + " number" +
-                                  (wanted == 1 ? "" : "s") + ", has " + std::to_string(v.size()),
+        fail(parameter.place,
+             "a blackbody wants " + std::to_string(wanted) + " number" + (wanted == 1 ? "" : "s") +
+                 ", has " + std::to_string(v.size()),
              context.v4() ? "[ kelvin ] in version 4" : "[ kelvin scale ] in version 3");
     if (!(v[0] > 0)) fail(parameter.values_place, "a blackbody of " + show(v[0]) + " K");
     const glm::dvec3 rgb = as_light(context, xyz_from_blackbody(v[0]), use);
@@ -64,15 +65,20 @@ glm::dvec3 named_spectrum(const Parameter& parameter) {
 glm::dvec3 Parameters::colour_of(const Parameter& parameter, ColourUse use) {
     switch (parameter.type) {
         case ParameterType::number:
-        case ParameterType::integer: return glm::dvec3(number_of(parameter));
-        case ParameterType::texture: return texture(parameter).value;
-        case ParameterType::blackbody: return blackbody(context_, parameter, use);
+        case ParameterType::integer:
+            return glm::dvec3(number_of(parameter));
+        case ParameterType::texture:
+            return texture(parameter).value;
+        case ParameterType::blackbody:
+            return blackbody(context_, parameter, use);
         case ParameterType::spectrum:
             return parameter.numbers.empty() ? named_spectrum(parameter)
                                              : sampled(context_, parameter, use);
         case ParameterType::rgb:
-        case ParameterType::xyz: break;
-        default: wrong_type(parameter, "a colour");
+        case ParameterType::xyz:
+            break;
+        default:
+            wrong_type(parameter, "a colour");
     }
     if (parameter.numbers.size() != 3) wrong_type(parameter, "one colour");
     const glm::dvec3 value = three(parameter.numbers);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "scene/colour.h"
 
@@ -13,13 +14,12 @@ Parameters::Parameters(const Statement& statement, const ReadContext& context, s
       context_(context),
       title_(title.empty() ? statement.title() : std::move(title)),
       used_(statement.parameters.size(), false) {
-    const auto& all = statement.parameters;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            if (all[i].name == all[k].name && all[i].type == all[k].type)
-                context.fault(all[i].place,
-                              "parameter \"" + all[i].name + "\" of " + title_ + " is given twice",
-                              "leave out one");
+    std::set<std::string> seen;
+    for (const Parameter& parameter : statement.parameters)
+        if (!seen.insert(parameter.name).second)
+            context.fault(parameter.place,
+                          "parameter \"" + parameter.name + "\" of " + title_ + " is given twice",
+                          "leave out one");
 }
 
 const Parameter* Parameters::find(Names names) {
@@ -139,10 +139,10 @@ void Parameters::check_range(const glm::dvec3& value, double low, double high) c
 
 void Parameters::refuse(Names names, const std::string& hint) {
     if (const Parameter* parameter = find(names))
-        context_.fault(parameter->place,
-                       "parameter \"" + parameter->name + "\" of " + title_ +
-                           " is understood but not supported yet",
-                       hint);
+        fail(parameter->place,
+             "parameter \"" + parameter->name + "\" of " + title_ +
+                 " is understood but not supported yet",
+             hint);
 }
 
 void Parameters::finish() {
@@ -151,10 +151,9 @@ void Parameters::finish() {
     for (std::size_t i = 0; i < used_.size(); ++i) {
         if (used_[i]) continue;
         const Parameter& parameter = statement_.parameters[i];
-        context_.fault(parameter.place,
-                       "unknown parameter \"" + parameter.name + "\" of " + title_,
-                       known_.empty() ? title_ + " has no parameters"
-                                      : suggestion(parameter.name, known_));
+        context_.fault(
+            parameter.place, "unknown parameter \"" + parameter.name + "\" of " + title_,
+            known_.empty() ? title_ + " has no parameters" : suggestion(parameter.name, known_));
     }
 }
 

@@ -18,15 +18,24 @@ struct TypeRow {
 };
 
 constexpr std::array<TypeRow, 18> types{{
-    {"float", ParameterType::number, 1},     {"integer", ParameterType::integer, 1},
-    {"bool", ParameterType::boolean, 0},     {"string", ParameterType::string, 0},
-    {"texture", ParameterType::texture, 0},  {"rgb", ParameterType::rgb, 3},
-    {"color", ParameterType::rgb, 3},        {"xyz", ParameterType::xyz, 3},
-    {"spectrum", ParameterType::spectrum, 2}, {"blackbody", ParameterType::blackbody, 0},
-    {"point", ParameterType::point3, 3},     {"point3", ParameterType::point3, 3},
-    {"point2", ParameterType::point2, 2},    {"vector", ParameterType::vector3, 3},
-    {"vector3", ParameterType::vector3, 3},  {"vector2", ParameterType::vector2, 2},
-    {"normal", ParameterType::normal, 3},    {"normal3", ParameterType::normal, 3},
+    {"float", ParameterType::number, 1},
+    {"integer", ParameterType::integer, 1},
+    {"bool", ParameterType::boolean, 0},
+    {"string", ParameterType::string, 0},
+    {"texture", ParameterType::texture, 0},
+    {"rgb", ParameterType::rgb, 3},
+    {"color", ParameterType::rgb, 3},
+    {"xyz", ParameterType::xyz, 3},
+    {"spectrum", ParameterType::spectrum, 2},
+    {"blackbody", ParameterType::blackbody, 0},
+    {"point", ParameterType::point3, 3},
+    {"point3", ParameterType::point3, 3},
+    {"point2", ParameterType::point2, 2},
+    {"vector", ParameterType::vector3, 3},
+    {"vector3", ParameterType::vector3, 3},
+    {"vector2", ParameterType::vector2, 2},
+    {"normal", ParameterType::normal, 3},
+    {"normal3", ParameterType::normal, 3},
 }};
 
 const TypeRow* find_type(std::string_view spelling) {
@@ -59,10 +68,11 @@ std::string quote(std::string_view text) { return "'" + std::string(text) + "'";
 
 void add_value(Parameter& parameter, const Token& token) {
     const bool is_boolean = parameter.type == ParameterType::boolean;
-    const bool wants_text =
-        is_boolean || parameter.type == ParameterType::string || parameter.type == ParameterType::texture;
+    const bool wants_text = is_boolean || parameter.type == ParameterType::string ||
+                            parameter.type == ParameterType::texture;
     const std::string title = "parameter \"" + parameter.name + "\" of type " + parameter.spelling;
-    const bool bare = token.kind == TokenKind::word && (token.text == "true" || token.text == "false");
+    const bool bare =
+        token.kind == TokenKind::word && (token.text == "true" || token.text == "false");
     if (token.kind == TokenKind::quoted || (bare && is_boolean)) {
         if (!wants_text && parameter.type != ParameterType::spectrum)
             fail(token.place, title + " wants numbers, has the string " + quote(token.text));
@@ -92,8 +102,8 @@ void check_count(const Parameter& parameter, unsigned components) {
     if (count == 0 || components == 0) return;
     if (count % components != 0) {
         const std::size_t wanted = (count / components + 1) * components;
-        fail(parameter.place, title + " wants " + std::to_string(wanted) + " numbers, has " +
-                                  std::to_string(count),
+        fail(parameter.place,
+             title + " wants " + std::to_string(wanted) + " numbers, has " + std::to_string(count),
              "every value has " + std::to_string(components) + " numbers");
     }
     if (count > 1 || parameter.type != ParameterType::number)
@@ -113,7 +123,8 @@ std::optional<double> parse_number(const Token& word) {
     if (end != text.data() + text.size() || text.empty()) return {};
     if (error == std::errc::result_out_of_range) {
         value = std::strtod(std::string(text).c_str(), nullptr);  // zero where it is too small
-        if (std::isinf(value)) fail(word.place, "the number " + std::string(text) + " is too large");
+        if (std::isinf(value))
+            fail(word.place, "the number " + std::string(text) + " is too large");
     } else if (error != std::errc()) {
         return {};
     }

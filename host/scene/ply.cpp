@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "scene/ply_values.h"
+#include "scene/source.h"
 
 namespace lobe {
 
@@ -26,6 +27,13 @@ VertexColumns find_columns(const PlyElement& vertex) {
              vertex.find({"v", "t", "texture_v", "texture_t"})}};
 }
 
+bool is_taken(const std::string& property) {
+    for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "u", "v", "s", "t", "texture_u",
+                             "texture_v", "texture_s", "texture_t"})
+        if (property == name) return true;
+    return false;
+}
+
 void skip_list(PlyValues& values, const PlyProperty& list) {
     for (std::size_t i = values.next_length(list); i > 0; --i) values.next(list.type);
 }
@@ -40,6 +48,9 @@ void read_vertices(PlyValues& values, const PlyElement& element, Mesh& mesh) {
     const VertexColumns columns = find_columns(element);
     for (const int column : columns.position)
         if (column < 0) values.fail("element 'vertex' lacks x, y or z");
+    for (const PlyProperty& property : element.properties)
+        if (property.is_list && is_taken(property.name))
+            values.fail("property '" + property.name + "' of 'vertex' is a list");
     std::vector<double> row(element.properties.size());
     mesh.positions.reserve(element.count);
     if (columns.has_normals()) mesh.normals.reserve(element.count);
@@ -70,8 +81,8 @@ void read_polygon(PlyValues& values, const PlyProperty& list, std::uint64_t vert
     for (std::size_t i = 0; i < corners; ++i) {
         const double index = values.next(list.type);
         if (!(index >= 0 && index < static_cast<double>(vertices)) || index != std::floor(index))
-            values.fail("vertex index " + std::to_string(static_cast<long long>(index)) +
-                        " is not one of the " + std::to_string(vertices) + " vertices");
+            values.fail("vertex index " + show(index) + " is not one of the " +
+                        std::to_string(vertices) + " vertices");
         const auto corner = static_cast<std::uint32_t>(index);
         if (i == 0) first = corner;
         if (i >= 2) mesh.triangles.emplace_back(first, previous, corner);

@@ -12,11 +12,11 @@ namespace lobe {
 namespace {
 
 const std::map<std::string, PlyType> types{
-    {"char", PlyType::int8},     {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
-    {"uint8", PlyType::uint8},   {"short", PlyType::int16},     {"int16", PlyType::int16},
-    {"ushort", PlyType::uint16}, {"uint16", PlyType::uint16},   {"int", PlyType::int32},
-    {"int32", PlyType::int32},   {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
-    {"float", PlyType::float32}, {"float32", PlyType::float32}, {"double", PlyType::float64},
+    {"char", PlyType::int8},       {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
+    {"uint8", PlyType::uint8},     {"short", PlyType::int16},     {"int16", PlyType::int16},
+    {"ushort", PlyType::uint16},   {"uint16", PlyType::uint16},   {"int", PlyType::int32},
+    {"int32", PlyType::int32},     {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+    {"float", PlyType::float32},   {"float32", PlyType::float32}, {"double", PlyType::float64},
     {"float64", PlyType::float64},
 };
 
@@ -131,11 +131,15 @@ int PlyElement::find(const std::vector<std::string>& names) const {
 std::size_t size_of(PlyType type) {
     switch (type) {
         case PlyType::int8:
-        case PlyType::uint8: return 1;
+        case PlyType::uint8:
+            return 1;
         case PlyType::int16:
-        case PlyType::uint16: return 2;
-        case PlyType::float64: return 8;
-        default: return 4;
+        case PlyType::uint16:
+            return 2;
+        case PlyType::float64:
+            return 8;
+        default:
+            return 4;
     }
 }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "scene/source.h"
 
 namespace lobe {
 
@@ -21,14 +22,22 @@ double decode(const char* bytes) {
 
 double decode(PlyType type, const char* bytes) {
     switch (type) {
-        case PlyType::int8: return decode<std::int8_t>(bytes);
-        case PlyType::uint8: return decode<std::uint8_t>(bytes);
-        case PlyType::int16: return decode<std::int16_t>(bytes);
-        case PlyType::uint16: return decode<std::uint16_t>(bytes);
-        case PlyType::int32: return decode<std::int32_t>(bytes);
-        case PlyType::uint32: return decode<std::uint32_t>(bytes);
-        case PlyType::float32: return decode<float>(bytes);
-        case PlyType::float64: return decode<double>(bytes);
+        case PlyType::int8:
+            return decode<std::int8_t>(bytes);
+        case PlyType::uint8:
+            return decode<std::uint8_t>(bytes);
+        case PlyType::int16:
+            return decode<std::int16_t>(bytes);
+        case PlyType::uint16:
+            return decode<std::uint16_t>(bytes);
+        case PlyType::int32:
+            return decode<std::int32_t>(bytes);
+        case PlyType::uint32:
+            return decode<std::uint32_t>(bytes);
+        case PlyType::float32:
+            return decode<float>(bytes);
+        case PlyType::float64:
+            return decode<double>(bytes);
     }
     return 0;
 }
@@ -79,7 +88,7 @@ double PlyValues::next_binary(PlyType type) {
 std::size_t PlyValues::next_length(const PlyProperty& list) {
     const double length = next(list.count_type);
     if (!(length >= 0 && length == std::floor(length) && length <= 4294967295.0))
-        fail("a list cannot have " + std::to_string(length) + " items");
+        fail("a list cannot have " + show(length) + " items");
     const auto items = static_cast<std::size_t>(length);
     if (items * least(list.type) > remaining() + 1)
         fail("the file is too short for a list of " + std::to_string(items) + " items");

@@ -33,7 +33,9 @@ class PlyValues {
     double next_binary(PlyType type);
     std::size_t remaining() const { return bytes_.size() - at_; }
     // Fewest bytes of a value.
-    std::size_t least(PlyType type) const { return format_ == PlyFormat::ascii ? 2 : size_of(type); }
+    std::size_t least(PlyType type) const {
+        return format_ == PlyFormat::ascii ? 2 : size_of(type);
+    }
 
     const std::string& path_;
     const std::string& bytes_;

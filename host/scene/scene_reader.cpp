@@ -47,7 +47,7 @@ const std::map<std::string, SceneReader::Row>& SceneReader::handlers() {
         {"ObjectBegin", {&R::object_begin, Row::in_world}},
         {"ObjectEnd", {&R::object_end, Row::in_world}},
         {"ObjectInstance", {&R::object_instance, Row::in_world}},
-        {"Option", {&R::ignored, Row::before_world}},
+        {"Option", {&R::option, Row::anywhere}},
         {"PixelFilter", {&R::pixel_filter, Row::before_world}},
         {"Renderer", {&R::not_yet, Row::before_world}},
         {"ReverseOrientation", {&R::reverse_orientation, Row::in_world}},
@@ -75,8 +75,7 @@ SceneReader::SceneReader(const std::string& path, const std::vector<BrdfTable>& 
     : context_{models, options, scene_, nullptr, folder_of(path)},
       files_(path, options.lenient, scene_.warnings) {
     scene_.path = path;
-    scene_.dialect =
-        options.dialect == Dialect::automatic ? find_dialect(files_) : options.dialect;
+    scene_.dialect = options.dialect == Dialect::automatic ? find_dialect(files_) : options.dialect;
     for (const auto& file : files_.in_reading_order()) hash_.add(file->source->text);
     shapes_ = &scene_.shapes;
     state_.names = context_.names = std::make_shared<Names>();
@@ -112,7 +111,12 @@ void SceneReader::run() {
 void SceneReader::carry_out(const Statement& statement) {
     const Row& row = handlers().at(statement.name);
     check_order(statement, row);
-    (this->*row.handler)(statement);
+    try {
+        (this->*row.handler)(statement);
+    } catch (const UnknownClass& unknown) {
+        if (!context_.options.lenient) throw;
+        scene_.warnings.push_back(unknown.where() + ": " + unknown.what() + " is left out");
+    }
 }
 
 void SceneReader::check_order(const Statement& statement, const Row& row) {

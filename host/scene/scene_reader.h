@@ -16,7 +16,7 @@ namespace lobe {
 
 // What AttributeBegin saves and AttributeEnd brings back. TransformBegin saves the transform only.
 struct GraphicsState {
-    glm::dmat4 transform{1.0};  // object to world, or world to camera before WorldBegin
+    glm::dmat4 transform{1.0};     // object to world, or world to camera before WorldBegin
     bool transform_active = true;  // ActiveTransform names the start of the shutter or both ends
     bool reverse_orientation = false;
     std::optional<std::uint32_t> material;
@@ -95,6 +95,7 @@ class SceneReader {
     void sampler(const Statement&);
     void integrator(const Statement&);
     void ignored(const Statement&);
+    void option(const Statement&);
     void color_space(const Statement&);
     void not_yet(const Statement&);
     void medium_interface(const Statement&);
@@ -105,8 +106,10 @@ class SceneReader {
     void area_light(const Statement&);
     void light(const Statement&);
     void shape(const Statement&);
+    Material understand(const Statement&, const std::string& type, const Place&);
     Names& names_to_change();
     std::uint32_t add_material(Material);
+    void add_shape(const Statement&, Shape);
 
     Scene scene_;
     Sha256 hash_;
@@ -122,6 +125,7 @@ class SceneReader {
     std::map<std::uint32_t, Text> undefined_materials_;  // named before they are made (version 4)
     bool in_world_ = false, world_ended_ = false;
     std::size_t files_entered_ = 0;
+    std::size_t triangles_ = 0;  // of the scene's shapes
 };
 
 }  // namespace lobe

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way a shape's normal points is pbrt's rule: a triangle mesh with normals N shows its side of
-// N (decided here by the majority of its triangles; in version 4 ReverseOrientation turns N round
-// first); without N, and on spheres, the normal is turned if ReverseOrientation or the transform's
-// handedness, but not both, ask for it.
+// Which way a shape's normal points is pbrt's rule: a triangle mesh with normals N shows its side
+// of N (decided here by the majority of its triangles; in version 4 ReverseOrientation turns N
+// round first); without N, and on spheres, the normal is turned if ReverseOrientation or the
+// transform's handedness, but not both, ask for it.
 #include "scene/shapes.h"
 
 #include <cmath>
@@ -35,8 +35,7 @@ Sphere read_sphere(Parameters& p, const glm::dmat4& to_world) {
                   std::numeric_limits<double>::infinity());
     const bool whole = p.number({"zmin"}, -radius) <= -radius &&
                        p.number({"zmax"}, radius) >= radius && p.number({"phimax"}, 360) >= 360;
-    if (!whole)
-        p.refuse({"zmin", "zmax", "phimax"}, "only whole spheres are there yet");
+    if (!whole) p.refuse({"zmin", "zmax", "phimax"}, "only whole spheres are there yet");
     const auto scale = uniform_scale(to_world);
     if (!scale)
         fail(p.place(), "a sphere under a transform that stretches it is not supported yet",
@@ -54,9 +53,9 @@ void refuse_material_parameters(Parameters& p) {
         if (given && (given->type == ParameterType::texture || p.number_of(*given) != 1))
             p.refuse({name}, "shapes without holes only");
     }
-    for (const char* name : {"Kd", "Ks", "Kr", "Kt", "sigma", "roughness", "uroughness",
-                             "vroughness", "remaproughness", "eta", "k", "index", "opacity",
-                             "amount", "bumpmap"})
+    for (const char* name :
+         {"Kd", "Ks", "Kr", "Kt", "sigma", "roughness", "uroughness", "vroughness",
+          "remaproughness", "eta", "k", "index", "opacity", "amount", "bumpmap"})
         p.refuse({name}, "give a shape's material parameters on its Material line");
 }
 
@@ -85,16 +84,6 @@ void finish_mesh(Mesh& mesh, Shape& shape, const glm::dmat4& to_world, bool reve
                                     " triangles lie on the other side than most");
 }
 
-void refuse_kind(const Text& kind) {
-    const std::vector<std::string> known{"loopsubdiv", "plymesh", "sphere", "trianglemesh"};
-    for (const char* later : {"disk", "cylinder", "cone", "paraboloid", "hyperboloid", "curve",
-                              "heightfield", "nurbs", "bilinearmesh", "heightfield2"})
-        if (kind.text == later)
-            fail(kind.place, "shape \"" + kind.text + "\" is understood but not supported yet",
-                 choices(known));
-    fail(kind.place, "unknown shape \"" + kind.text + "\"", suggestion(kind.text, known));
-}
-
 }  // namespace
 
 Shape read_shape(const Statement& statement, const glm::dmat4& object_to_world,
@@ -114,7 +103,10 @@ Shape read_shape(const Statement& statement, const glm::dmat4& object_to_world,
     } else if (kind.text == "plymesh") {
         mesh = read_ply_mesh(p, context, files);
     } else {
-        refuse_kind(kind);
+        fail_class(kind.place, "Shape", kind.text,
+                   {"loopsubdiv", "plymesh", "sphere", "trianglemesh"},
+                   {"bilinearmesh", "cone", "curve", "cylinder", "disk", "heightfield",
+                    "heightfield2", "hyperboloid", "nurbs", "paraboloid"});
     }
     refuse_material_parameters(p);
     p.finish();

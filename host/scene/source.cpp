@@ -2,9 +2,9 @@
 #include "scene/source.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 
-#include "base/error.h"
 #include "base/files.h"
 
 namespace lobe {
@@ -22,6 +22,15 @@ void fail(const Place& place, const std::string& what, const std::string& hint) 
     throw Error(ExitCode::scene, what, to_string(place), hint);
 }
 
+void fail_class(const Place& place, const std::string& kind, const std::string& name,
+                const std::vector<std::string>& known, const std::vector<std::string>& later) {
+    const std::string title = kind + " \"" + name + "\"";
+    if (std::find(later.begin(), later.end(), name) != later.end())
+        fail(place, title + " is understood but not supported yet", choices(known));
+    throw UnknownClass(ExitCode::scene, "unknown " + title, to_string(place),
+                       suggestion(name, known));
+}
+
 std::string choices(const std::vector<std::string>& names) {
     std::string text = "choose one of: ";
     for (std::size_t i = 0; i < names.size(); ++i) text += (i ? ", " : "") + names[i];
@@ -32,6 +41,12 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
     if (names.empty()) return "";
     const std::string nearest = nearest_name(name, names);
     return (nearest.empty() ? "" : "did you mean '" + nearest + "'? ") + choices(names);
+}
+
+std::string show(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
 }
 
 std::unique_ptr<SourceFile> make_source(const std::string& path, std::string text) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
+
 namespace lobe {
 
 struct SourceFile {
@@ -26,6 +28,22 @@ std::string to_string(const Place& place);
 
 // Throws Error (scene) at a place.
 [[noreturn]] void fail(const Place& place, const std::string& what, const std::string& hint = "");
+
+// A class of a directive (Shape "cube") that is not known. With --lenient the directive is left
+// out.
+class UnknownClass : public Error {
+  public:
+    using Error::Error;
+};
+
+// Throws UnknownClass for `kind` ("shape \"cube\""), or Error where `later` has its name: what is
+// understood but not supported yet is refused, with --lenient too.
+[[noreturn]] void fail_class(const Place& place, const std::string& kind, const std::string& name,
+                             const std::vector<std::string>& known,
+                             const std::vector<std::string>& later);
+
+// A number as a message shows it.
+std::string show(double value);
 
 // "choose one of: a, b, c", for hints.
 std::string choices(const std::vector<std::string>& names);

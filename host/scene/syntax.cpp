@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <unordered_map>
 
 #include "scene/parse_values.h"
@@ -75,8 +74,8 @@ void read_numbers(Statement& statement, Lexer& lexer, std::size_t count) {
             if (ended)
                 fail(start, statement.name + " wants " + std::to_string(count) + " numbers, has " +
                                 std::to_string(i));
-            fail(token.place, statement.name + " wants finite numbers, has '" +
-                                  std::string(token.text) + "'");
+            fail(token.place,
+                 statement.name + " wants finite numbers, has '" + std::string(token.text) + "'");
         }
         statement.numbers.push_back(*number);
         lexer.next();
@@ -134,12 +133,6 @@ void skip_unknown(const Token& word, Lexer& lexer, std::vector<std::string>& war
 std::string Statement::title() const {
     if (strings.empty()) return name;
     return name + " \"" + strings[0].text + "\"";
-}
-
-std::string show(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
 }
 
 std::vector<std::string> directive_names() {

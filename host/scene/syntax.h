@@ -62,9 +62,6 @@ Place place_of_value(const Parameter& parameter, std::size_t i);
 // The word of a type, "float", and of its plural use in messages.
 const char* type_name(ParameterType type);
 
-// A number as a message shows it.
-std::string show(double value);
-
 // All names of directives, sorted.
 std::vector<std::string> directive_names();
 

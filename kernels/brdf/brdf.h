@@ -11,9 +11,6 @@
 #define LOBE_BRDF_RECIPROCAL 1        // f(wo, wi) = f(wi, wo)
 #define LOBE_BRDF_CONSERVES_ENERGY 2  // albedo at most 1 for parameters within their documented sum
 
-// Room for the prepared form of a material of any model, in bytes.
-#define LOBE_PREPARED_BYTES 512
-
 // What NAME_sample gives: a direction in the shading frame, its density per solid angle, and the
 // weight f |cos theta_i| / pdf. A weight of zero means "no sample". For a delta lobe, `delta` is
 // set, pdf is the probability with which the lobe was chosen, and weight is its reflectance

@@ -8,7 +8,7 @@
 // t^n, 0 for t <= 0 also at n = 0. Near the peak from x: pow(1 + 1 ulp, 1e8) would be 1.5e5.
 real cosine_power(real n, LobePoint p) {
     if (!(p.t > 0)) return 0;
-    return real_exp(n * (p.x < R(0.5) ? real_log1p(-p.x) : real_log(p.t)));
+    return real_exp(n * real_log_split(p.t, p.x));
 }
 
 // Its density per solid angle over the whole lobe is (n + 1) / (2 pi) t^n; u = 0 is the peak.

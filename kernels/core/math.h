@@ -16,6 +16,7 @@ real real_exp(real x) { return exp(x); }
 real real_expm1(real x) { return expm1(x); }
 real real_log(real x) { return log(x); }
 real real_log1p(real x) { return log1p(x); }
+real real_log_split(real t, real x) { return x < 0.5 ? log1p(-x) : log(t); }
 real2 real_circle(real turns) { return (real2)(cospi(2 * turns), sinpi(2 * turns)); }
 real2 real_circle_octant(real turns) { return real_circle(turns); }
 real real_angle(real y, real x) { return atan2pi(y, x) * 0.5; }
@@ -111,6 +112,14 @@ real real_log1p(real x) {
     return x < -1 ? NAN : y;
 }
 
+// ln t for t = 1 - x in (0, 1], given both: exact where either is small, for one polynomial.
+real real_log_split(real t, real x) {
+    int bits = real_exponent_bits(t);
+    real four_over_scale = as_float(as_int(4.0f) - bits);
+    real near_one = fma(-0.25f * four_over_scale, x, fma(0.25f, four_over_scale, -1.0f));
+    return real_log_parts(x < 0.5f ? near_one : as_float(as_int(t) - bits) - 1, bits >> 23);
+}
+
 // (cos, sin) of an angle of at most an eighth of a turn. Fits: 4e-9.
 real2 real_circle_octant(real turns) {
     real t = turns * turns;
@@ -126,8 +135,10 @@ real2 real_circle(real turns) {
     real rounded = fma(turns, 4.0f, REAL_ROUNDER);
     int quadrant = as_int(rounded) - as_int(REAL_ROUNDER);
     real2 p = real_circle_octant(fma(rounded - REAL_ROUNDER, -0.25f, turns));
-    p = quadrant & 1 ? (real2)(-p.y, p.x) : p;
-    return quadrant & 2 ? -p : p;
+    int odd = quadrant & 1;  // selects and sign bits: a branch would be mispredicted half the time
+    int cosine = as_int(odd ? p.y : p.x) ^ (((quadrant + 1) & 2) << 30);
+    int sine = as_int(odd ? p.x : p.y) ^ ((quadrant & 2) << 30);
+    return (real2)(as_float(cosine), as_float(sine));
 }
 
 // Angle in turns of the point (x, y), x and y at least 0 and not both 0: in [0, 1/4]. Fit: 1.5e-8.

@@ -27,9 +27,9 @@ kernel void warp_uniform_cone(global const real* u, real one_minus_cos, global r
 kernel void warp_frame(global const real* n, global const real* v, global real* out) {
     uint i = get_global_id(0);
     Frame3 frame = make_frame3(vload3(i, n));
-    real3 local = to_local(&frame, vload3(i, v));
+    real3 inside = to_local(&frame, vload3(i, v));
     vstore3(frame.t, 4 * i, out);
     vstore3(frame.b, 4 * i + 1, out);
-    vstore3(local, 4 * i + 2, out);
-    vstore3(to_world(&frame, local), 4 * i + 3, out);
+    vstore3(inside, 4 * i + 2, out);
+    vstore3(to_world(&frame, inside), 4 * i + 3, out);
 }

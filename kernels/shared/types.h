@@ -72,6 +72,9 @@ typedef struct LobeMaterial {
 } LobeMaterial;
 LOBE_ASSERT_SIZE(LobeMaterial, 16);
 
+// Room for a material as its model prepares it, in bytes; dispatch.h checks that every model fits.
+#define LOBE_PREPARED_BYTES 512
+
 // One parameter of a material: a colour in x, y, z; a number, integer or choice in x.
 typedef struct LobeRow {
     float x, y, z, w;

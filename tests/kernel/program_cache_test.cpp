@@ -81,6 +81,13 @@ TEST_F(BinaryCache, DamagedFilesAreRebuilt) {
     expect_rebuilt_after(good + "x");
 }
 
+TEST_F(BinaryCache, ABadFileIsRemovedAtOnce) {
+    build_and_run();
+    write_file(files().at(0), "rubbish");
+    EXPECT_FALSE(build_program(test_device(), text).cached);
+    EXPECT_TRUE(files().empty());
+}
+
 TEST_F(BinaryCache, AnotherProgramsFileIsNotTaken) {
     build_and_run();
     const std::string first = read_file(files().at(0));

@@ -38,7 +38,7 @@ TEST(MemoryAccount, RefusesBeforeTheDriverLies) {
         "the film needs 7.0 MiB of the device's memory, but one buffer may have 6.0 MiB at most");
     EXPECT_EQ(refusal(account, 6, MiB),
               "the film needs 6.0 MiB of the device's memory, but 5.0 MiB of 10.0 MiB are free");
-    EXPECT_NE(refusal(account, ~std::uint64_t{0} / 4, 8), "");  // the product overflows
+    EXPECT_NE(refusal(account, (std::uint64_t{1} << 61) + 1, 8), "");  // the product wraps to 8
     EXPECT_EQ(account.used(), 5 * MiB);
     EXPECT_EQ(refusal(account, 5, MiB), "");
 }

@@ -36,14 +36,17 @@ TEST(Flatten, KeepsFileAndLine) {
 TEST(Flatten, HeadersComeOnceAndTablesEveryTime) {
     const TempFolder folder;
     folder.write("main.cl",
-                 "#include \"x.h\"\n#include \"y.h\"\n#include \"x.h\"\n"
+                 "#include \"x.h\"\n#include \"y.h\"\n#include \"x.h\"\n#include \"z.h\"\n"
                  "#include \"t.def\"\n#include \"t.def\"\n");
     folder.write("x.h", "XX\n");
-    folder.write("y.h", "#include \"x.h\"\nYY\n");
+    folder.write("y.h",
+                 "#ifndef Y_H\n#define Y_H\n#include \"x.h\"\n#include \"z.h\"\nYY\n#endif\n");
+    folder.write("z.h", "ZZ\n");
     folder.write("t.def", "ROW\n");
     const std::string text = flatten(KernelText(folder.path()), "main.cl");
     EXPECT_EQ(occurrences(text, "XX\n"), 1u);
     EXPECT_EQ(occurrences(text, "YY\n"), 1u);
+    EXPECT_EQ(occurrences(text, "ZZ\n"), 1u);  // y.h's guard is no condition
     EXPECT_EQ(occurrences(text, "ROW\n"), 2u);
 }
 
