@@ -30,8 +30,8 @@ real3 trace_path(const Scene* scene, global const LobeFrame* frame, Ray ray, con
         ShadingPoint point = shading_point(&surface, &ray);
         real2 choice = sobol_numbers(sampler, bounce_dimension(depth, DIMENSION_CHOICE));
         real2 u = sobol_numbers(sampler, bounce_dimension(depth, DIMENSION_LIGHT));
-        LightSample light =
-            sample_light(&scene->lights, &scene->shapes, surface.position, choice.x, u);
+        LightSample light = sample_light(&scene->lights, &scene->shapes, surface.position,
+                                         surface.primitive, choice.x, u);
         real3 wi = light.pdf > 0 ? local_direction(&point, light.towards) : (real3)(0, 0, -1);
 
         real2 v = sobol_numbers(sampler, bounce_dimension(depth, DIMENSION_BRDF));

@@ -31,17 +31,17 @@ nlohmann::ordered_json to_json(const DeviceInfo& d, bool chosen) {
 int run(const CommonOptions& options) {
     set_quiet(options.quiet);
     const std::vector<DeviceInfo> devices = list_devices();
-    const std::size_t chosen = choose_device(devices, options.device);
+    const std::size_t chosen = chosen_device(devices, options.device);
     auto json = nlohmann::ordered_json::array();
     for (const DeviceInfo& d : devices) {
         json.push_back(to_json(d, d.number == devices[chosen].number));
         if (options.json == "-") continue;
-        std::printf("%c %u  %s  %s\n     %s, driver %s\n     %u compute units, %s, largest buffer %s%s\n",
-                    d.number == devices[chosen].number ? '*' : ' ', d.number, device_type_name(d.type),
-                    d.name.c_str(), d.platform.c_str(), d.driver.c_str(), d.compute_units,
-                    bytes_text(static_cast<double>(d.global_memory)).c_str(),
-                    bytes_text(static_cast<double>(d.largest_allocation)).c_str(),
-                    d.fp64 ? ", fp64" : "");
+        std::printf(
+            "%c %u  %s  %s\n     %s, driver %s\n     %u compute units, %s, largest buffer %s%s\n",
+            d.number == devices[chosen].number ? '*' : ' ', d.number, device_type_name(d.type),
+            d.name.c_str(), d.platform.c_str(), d.driver.c_str(), d.compute_units,
+            bytes_text(static_cast<double>(d.global_memory)).c_str(),
+            bytes_text(static_cast<double>(d.largest_allocation)).c_str(), d.fp64 ? ", fp64" : "");
     }
     if (!options.json.empty()) write_json(options.json, json.dump(2) + "\n");
     return 0;
@@ -50,7 +50,8 @@ int run(const CommonOptions& options) {
 }  // namespace
 
 Command add_devices_command(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("devices", "list the OpenCL devices; * is the one a render takes");
+    CLI::App* verb =
+        app.add_subcommand("devices", "list the OpenCL devices; * is the one a render takes");
     auto options = std::make_shared<CommonOptions>();
     add_common_options(*verb, *options);
     return [options] { return run(*options); };

@@ -6,7 +6,6 @@
 
 #include "app/command.h"
 #include "app/scene_options.h"
-#include "base/kernel_text.h"
 #include "base/log.h"
 #include "build/features.h"
 
@@ -20,15 +19,18 @@ struct Options {
 
 int run(const Options& options) {
     set_quiet(options.common.quiet);
-    const KernelText kernels(options.common.kernel_folder);
+    const KernelText kernels = open_kernels(options.common);
     const std::vector<BrdfTable> models = read_brdf_tables(kernels);
     const Scene scene = read_scene_for(options.scene, models);
-    const FeatureSet features = options.scene.features == "all" ? all_features() : derive_features(scene);
+    const FeatureSet features =
+        options.scene.features == "all" ? all_features() : derive_features(scene);
     nlohmann::ordered_json json = {{"features", nlohmann::ordered_json::array()}};
     const bool text = options.common.json != "-";
     for (const FeatureState& f : features) {
-        json["features"].push_back({{"name", f.name}, {"meaning", f.meaning}, {"in", f.in}, {"reason", f.reason}});
-        if (text) std::printf("%-3s  %-16s %s\n", f.in ? "in" : "out", f.name.c_str(), f.reason.c_str());
+        json["features"].push_back(
+            {{"name", f.name}, {"meaning", f.meaning}, {"in", f.in}, {"reason", f.reason}});
+        if (text)
+            std::printf("%-3s  %-16s %s\n", f.in ? "in" : "out", f.name.c_str(), f.reason.c_str());
     }
     json["brdfs"] = models_in_use(scene);
     if (text) {

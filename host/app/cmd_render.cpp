@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // lobe render: the main job, from a scene file to pictures with their error and their time.
 #include <cstdio>
+#include <filesystem>
+#include <limits>
 #include <memory>
 
 #include "app/command.h"
+#include "app/numbers.h"
 #include "app/scene_options.h"
 #include "base/error.h"
 #include "base/files.h"
-#include "base/kernel_text.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "base/signals.h"
@@ -33,21 +35,34 @@ struct Options {
 void add_options(CLI::App& verb, Options& o) {
     add_common_options(verb, o.common);
     add_scene_options(verb, o.scene);
-    verb.add_option("-o,--output", o.outputs, "picture to write, .exr or .png; may be repeated")->type_name("FILE");
-    verb.add_option("--seed", o.seed, "of all random numbers (0)");
-    verb.add_option("--exposure", o.exposure, "factor for PNG pictures (1)")->check(CLI::PositiveNumber);
+    verb.add_option("-o,--output", o.outputs, "picture to write, .exr or .png; may be repeated")
+        ->type_name("FILE");
+    verb.add_option("--seed", o.seed, "of all random numbers (0)")
+        ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+        ->type_name("NUMBER");
+    verb.add_option("--exposure", o.exposure, "factor for PNG pictures (1)")
+        ->check(real_number(1e-30, 1e30, "from 1e-30 to 1e30"))
+        ->type_name("NUMBER");
     verb.add_flag("--strict", o.strict, "exit with 6 if any sample is not finite");
 }
 
-// Where to write: as asked, else as the scene file says if we can write that, else lobe.exr.
-std::vector<std::string> choose_outputs(const Options& options, const Scene& scene) {
-    std::vector<std::string> outputs = options.outputs;
-    if (outputs.empty()) outputs.push_back(scene.film.filename.empty() ? "lobe.exr" : scene.film.filename);
-    for (const std::string& output : outputs) {
-        image_format(output);
-        check_writable(output);
+// Fails for pictures and results that could not be written, before the work is done.
+void check_outputs(const std::vector<std::string>& pictures, const std::string& json) {
+    for (const std::string& picture : pictures) image_format(picture);
+    for (const std::string& picture : pictures) check_writable(picture);
+    if (!json.empty() && json != "-") check_writable(json);
+}
+
+// The picture of a render without --output: as the scene file says, as EXR if we cannot write that
+// format, else lobe.exr.
+std::string standard_output_name(const Scene& scene) {
+    if (scene.film.filename.empty()) return "lobe.exr";
+    try {
+        image_format(scene.film.filename);
+        return scene.film.filename;
+    } catch (const Error&) {
+        return std::filesystem::path(scene.film.filename).replace_extension(".exr").string();
     }
-    return outputs;
 }
 
 // Shows how far the render is; the error is estimated anew when it pays, for it costs a pass.
@@ -67,7 +82,8 @@ class RenderWatch {
     std::string error_;
 };
 
-PictureFacts picture_facts(const RenderReport& r, const LobeFrame& frame, const std::string& command_line) {
+PictureFacts picture_facts(const RenderReport& r, const LobeFrame& frame,
+                           const std::string& command_line) {
     PictureFacts facts;
     facts.frame = frame;
     auto& a = facts.attributes;
@@ -84,95 +100,117 @@ PictureFacts picture_facts(const RenderReport& r, const LobeFrame& frame, const 
     a["lobe:partial"] = static_cast<int>(r.partial);
     a["lobe:version"] = r.version;
     a["lobe:commandLine"] = command_line;
-    if (r.picture.relative_standard_error) a["lobe:relativeStandardError"] = *r.picture.relative_standard_error;
+    if (r.picture.relative_standard_error)
+        a["lobe:relativeStandardError"] = *r.picture.relative_standard_error;
     return facts;
 }
 
-void write_pictures(RenderReport& report, const LobeFrame& frame, const Options& options, ImageIo& io) {
+void write_pictures(RenderReport& report, const LobeFrame& frame, const Options& options,
+                    ImageIo& io) {
     const Stopwatch watch;
     for (const std::string& output : report.outputs) {
         if (image_format(output) == "png") {
             io.write(output, display_picture(report.picture, options.exposure));
         } else {
-            io.write(output, float_picture(report.picture, picture_facts(report, frame, options.command_line)));
+            io.write(output, float_picture(report.picture,
+                                           picture_facts(report, frame, options.command_line)));
         }
     }
     report.seconds.write = watch.seconds();
 }
 
 void warn_of_status(const RenderStatus& status) {
-    const std::string first = ", first in pixel " + std::to_string(status.counters[LOBE_STATUS_PIXEL] - 1) +
-                              " sample " + std::to_string(status.counters[LOBE_STATUS_SAMPLE]);
+    const std::string first = ", first in pixel " +
+                              std::to_string(status.counters[LOBE_STATUS_PIXEL] - 1) + " sample " +
+                              std::to_string(status.counters[LOBE_STATUS_SAMPLE]);
     if (status.nonfinite())
-        warn(std::to_string(status.nonfinite()) + " samples were not finite and count as black" + first);
-    if (status.negative()) warn(std::to_string(status.negative()) + " samples were negative" + first);
+        warn(std::to_string(status.nonfinite()) + " samples were not finite and count as black" +
+             first);
+    if (status.negative())
+        warn(std::to_string(status.negative()) + " samples were negative" + first);
     if (status.trapped())
-        throw Error(ExitCode::internal, "the kernel needed what was compiled out",
-                    "", "render with --features all and report this as a fault of lobe");
+        throw Error(ExitCode::internal, "the kernel needed what was compiled out", "",
+                    "render with --features all and report this as a fault of lobe");
+}
+
+// Everything up to the first launch: the scene as the device wants it, each step timed.
+PackedScene prepare(const Options& options, const KernelText& kernels, RenderReport& report,
+                    RenderPlan& plan) {
+    Stopwatch watch;
+    const std::vector<BrdfTable> models = read_brdf_tables(kernels);
+    const Scene scene = read_scene_for(options.scene, models);
+    if (report.outputs.empty()) {
+        report.outputs = {standard_output_name(scene)};
+        check_outputs(report.outputs, "");
+    }
+    report.scene = scene.path;
+    report.scene_hash = scene.hash;
+    report.dialect = scene.dialect == Dialect::v3 ? "v3" : "v4";
+    plan.samples = scene.samples_per_pixel;
+    report.seconds.parse = watch.restart();
+
+    PackOptions pack;
+    pack.all_features = options.scene.features == "all";
+    for (const BrdfTable& model : models) pack.all_models.push_back(model.name);
+    PackedScene packed = pack_scene(scene, pack);
+    if (packed.lights.lights.empty() && !scene.environment)
+        warn("the scene has no light: the picture will be black", scene.path);
+    report.features = packed.features;
+    report.models = packed.models;
+    report.triangles = packed.triangles.size();
+    report.spheres = packed.spheres.size();
+    report.lights = packed.lights.lights.size();
+    report.seconds.bvh = watch.restart();
+    return packed;
+}
+
+RenderOutcome render_watched(Session& session, const RenderPlan& plan) {
+    RenderWatch shown;
+    return render(session, plan, std::ref(shown), [] { return stop_signal() != 0; });
+}
+
+void take_outcome(const RenderOutcome& outcome, const Session& session, RenderReport& report) {
+    report.seconds.compile = session.compile_seconds();
+    report.seconds.upload = session.upload_seconds();
+    report.seconds.render = outcome.seconds;
+    report.picture = estimate(outcome.film);
+    report.hash = image_hash(report.picture);
+    report.partial = outcome.stopped;
+    report.status = session.status();
+    report.width = session.width();
+    report.height = session.height();
+    report.device_bytes = session.device_bytes();
 }
 
 int run(const Options& options) {
     set_quiet(options.common.quiet);
     install_signal_handlers();
     const Stopwatch total;
+    const KernelText kernels = open_kernels(options.common);
     RenderReport report;
     report.version = LOBE_VERSION;
     report.seed = options.seed;
+    report.outputs = options.outputs;
+    check_outputs(options.outputs, options.common.json);
+    RenderPlan plan;
+    const PackedScene packed = prepare(options, kernels, report, plan);
 
-    Stopwatch watch;
-    const KernelText kernels(options.common.kernel_folder);
-    const std::vector<BrdfTable> models = read_brdf_tables(kernels);
-    Scene scene = read_scene_for(options.scene, models);
-    report.outputs = choose_outputs(options, scene);
-    report.seconds.parse = watch.restart();
-
-    PackOptions pack;
-    pack.all_features = options.scene.features == "all";
-    for (const BrdfTable& model : models) pack.all_models.push_back(model.name);
-    const PackedScene packed = pack_scene(scene, pack);
-    report.seconds.bvh = watch.restart();
-    scene.shapes.clear();  // the packed form is all that is needed from here on
-    if (packed.lights.lights.empty() && !scene.environment)
-        warn("the scene has no light: the picture will be black", scene.path);
-
-    ImageIo images;
+    ImageIo images;  // opens its module while the device renders
     const Device device = open_device(options.common.device);
+    report.device = device.info();
     Session session(device, kernels, packed);
     session.set_seed(options.seed);
-    report.seconds.compile = session.compile_seconds();
-    report.seconds.upload = session.upload_seconds();
-
-    RenderPlan plan;
-    plan.samples = scene.samples_per_pixel;
-    RenderOutcome outcome = [&] {
-        RenderWatch shown;
-        return render(session, plan, std::ref(shown), [] { return stop_signal() != 0; });
-    }();
-    report.seconds.render = outcome.seconds;
-    report.picture = estimate(outcome.film);
-    report.hash = image_hash(report.picture);
-    report.partial = outcome.stopped;
-    report.status = session.status();
-    report.scene = scene.path;
-    report.scene_hash = scene.hash;
-    report.dialect = scene.dialect == Dialect::v3 ? "v3" : "v4";
-    report.device = device.info();
-    report.width = session.width();
-    report.height = session.height();
-    report.features = packed.features;
-    report.models = packed.models;
-    report.triangles = packed.triangles.size();
-    report.spheres = packed.spheres.size();
-    report.lights = packed.lights.lights.size();
-    report.device_bytes = session.device_bytes();
+    take_outcome(render_watched(session, plan), session, report);
     warn_of_status(report.status);
     write_pictures(report, packed.frame, options, images);
     session.keep_program();
     report.seconds.total = total.seconds();
 
-    if (options.common.json != "-") std::fputs(to_text(report).c_str(), stdout);
-    if (!options.common.json.empty()) write_json(options.common.json, to_json(report).dump(2) + "\n");
-    if (outcome.stopped) return stop_exit_code();
+    if (options.common.json != "-" && !options.common.quiet)
+        std::fputs(to_text(report).c_str(), stdout);
+    if (!options.common.json.empty())
+        write_json(options.common.json, to_json(report).dump(2) + "\n");
+    if (report.partial) return stop_exit_code();
     if (options.strict && report.status.nonfinite()) return static_cast<int>(ExitCode::nonfinite);
     return 0;
 }
@@ -182,7 +220,8 @@ int run(const Options& options) {
 Command add_render_command(CLI::App& app, const std::vector<std::string>& command_line) {
     CLI::App* verb = app.add_subcommand("render", "render a scene to pictures with error bars");
     auto options = std::make_shared<Options>();
-    for (const std::string& word : command_line) options->command_line += (options->command_line.empty() ? "" : " ") + word;
+    for (const std::string& word : command_line)
+        options->command_line += (options->command_line.empty() ? "" : " ") + word;
     add_options(*verb, *options);
     return [options] { return run(*options); };
 }

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "base/error.h"
 #include "base/files.h"
 
 namespace lobe {
@@ -14,7 +15,15 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
         ->type_name("DIR");
     verb.add_option("--json", options.json, "write the results as JSON; - is standard output")
         ->type_name("FILE");
-    verb.add_flag("--quiet", options.quiet, "no progress, no notes");
+    verb.add_flag("--quiet", options.quiet, "no progress, no notes, no summary");
+}
+
+KernelText open_kernels(const CommonOptions& options) {
+    KernelText kernels(options.kernel_folder);
+    if (!kernels.has("render.cl"))
+        throw Error(ExitCode::device, "the folder holds no kernels", options.kernel_folder,
+                    "give --kernel-dir a copy of lobe's kernels/ folder");
+    return kernels;
 }
 
 void write_json(const std::string& where, const std::string& text) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/kernel_text.h"
+
 namespace lobe {
 
 // Options that every verb has, under the same names.
@@ -15,6 +17,9 @@ struct CommonOptions {
     bool quiet = false;
 };
 void add_common_options(CLI::App& verb, CommonOptions& options);
+
+// The kernels in the program, or those of --kernel-dir. Throws Error (device) for a folder without.
+KernelText open_kernels(const CommonOptions& options);
 
 // The exit code of the run.
 using Command = std::function<int()>;

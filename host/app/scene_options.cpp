@@ -2,7 +2,9 @@
 #include "app/scene_options.h"
 
 #include <charconv>
+#include <limits>
 
+#include "app/numbers.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "scene/read.h"
@@ -50,6 +52,12 @@ void set_crop(const std::string& text, FilmSettings& film) {
     film.crop = {v[0], v[1], v[2], v[3]};
 }
 
+bool parse_radius(const std::string& text, double& radius) {
+    const char* end = text.data() + text.size();
+    const auto [next, error] = std::from_chars(text.data(), end, radius);
+    return error == std::errc() && next == end && radius > 0 && radius <= 64;
+}
+
 // NAME or NAME:RADIUS with the usual parameters of each.
 void set_filter(const std::string& text, Filter& filter) {
     const std::string hint = "box, triangle, gaussian or mitchell, with a radius as in box:0.5";
@@ -68,8 +76,8 @@ void set_filter(const std::string& text, Filter& filter) {
     } else {
         throw bad_option("--filter", text, hint);
     }
-    if (colon != std::string::npos) radius = numbers("--filter", text.substr(colon + 1), ',', 1, hint)[0];
-    if (!(radius > 0 && radius <= 64)) throw bad_option("--filter", text, hint);
+    if (colon != std::string::npos && !parse_radius(text.substr(colon + 1), radius))
+        throw bad_option("--filter", text, hint);
     chosen.radius_x = chosen.radius_y = radius;
     filter = chosen;
 }
@@ -92,13 +100,19 @@ ReadOptions read_options(const SceneOptions& options) {
 }  // namespace
 
 void add_scene_options(CLI::App& verb, SceneOptions& o) {
-    verb.add_option("scene", o.path, "a pbrt scene file, version 3 or 4")->required()->type_name("SCENE");
-    verb.add_option("--spp", o.spp, "samples a pixel")->check(CLI::Range(1u, 1u << 30));
+    verb.add_option("scene", o.path, "a pbrt scene file, version 3 or 4")
+        ->required()
+        ->type_name("SCENE");
+    verb.add_option("--spp", o.spp, "samples a pixel")
+        ->transform(whole_number(1, 1u << 30))
+        ->type_name("NUMBER");
     verb.add_option("--resolution", o.resolution, "film size")->type_name("WxH");
     verb.add_option("--crop", o.crop, "part of the film to render")->type_name("X0,X1,Y0,Y1");
     verb.add_option("--max-depth", o.max_depth, "most scattering events of a path")
-        ->check(CLI::Range(0u, 1u << 20));
-    verb.add_option("--filter", o.filter, "box, triangle, gaussian or mitchell")->type_name("NAME[:RADIUS]");
+        ->transform(whole_number(0, 1u << 20))
+        ->type_name("NUMBER");
+    verb.add_option("--filter", o.filter, "box, triangle, gaussian or mitchell")
+        ->type_name("NAME[:RADIUS]");
     verb.add_option("--dialect", o.dialect, "of the scene file")
         ->check(CLI::IsMember({"auto", "v3", "v4"}));
     verb.add_option("--features", o.features, "compile in what the scene needs, or all there is")
@@ -106,18 +120,30 @@ void add_scene_options(CLI::App& verb, SceneOptions& o) {
     verb.add_option("--replace", o.replace, "render materials of a type with another model")
         ->type_name("TYPE=MODEL");
     verb.add_option("--n", o.replace_n, "n of the models that --replace puts in (100)")
-        ->check(CLI::NonNegativeNumber);
-    verb.add_flag("--lenient", o.lenient, "warn of unknown directives and parameters instead of failing");
+        ->check(real_number(0, std::numeric_limits<double>::infinity(), "from 0 to inf"))
+        ->type_name("NUMBER");
+    verb.add_flag("--lenient", o.lenient,
+                  "warn of unknown directives and parameters instead of failing");
 }
 
-Scene read_scene_for(const SceneOptions& o, const std::vector<BrdfTable>& models) {
-    const ReadOptions read = read_options(o);
-    Scene scene = read_scene(o.path, models, read);
+namespace {
+
+void apply(const SceneOptions& o, Scene& scene) {
     if (!o.resolution.empty()) set_resolution(o.resolution, scene.film);
     if (!o.crop.empty()) set_crop(o.crop, scene.film);
     if (!o.filter.empty()) set_filter(o.filter, scene.filter);
     if (o.spp) scene.samples_per_pixel = *o.spp;
     if (o.max_depth) scene.max_depth = *o.max_depth;
+}
+
+}  // namespace
+
+Scene read_scene_for(const SceneOptions& o, const std::vector<BrdfTable>& models) {
+    const ReadOptions read = read_options(o);
+    Scene none;
+    apply(o, none);  // a bad option is told before a long scene is read
+    Scene scene = read_scene(o.path, models, read);
+    apply(o, scene);
     for (const std::string& warning : scene.warnings) warn(warning);
     return scene;
 }

@@ -24,7 +24,8 @@ constexpr int cells = 1 << 16;  // of the integration over one half width; |f| i
 
 struct Axis {
     std::vector<double> cumulative;  // of |f| from 0 to the half width
-    double absolute = 0, signed_sum = 0, negative = std::numeric_limits<double>::infinity();
+    double absolute = 0, signed_sum = 0;
+    double negative = std::numeric_limits<double>::infinity();  // part of |f| within its first zero
 };
 
 Axis integrate(const Filter& filter, double radius) {
@@ -33,11 +34,12 @@ Axis integrate(const Filter& filter, double radius) {
     for (int i = 0; i < cells; ++i) {
         const double offset = radius * (i + 0.5) / cells;
         const double value = filter_value(filter, radius, offset);
-        if (value < 0) axis.negative = std::min(axis.negative, radius * i / cells);
+        if (value < 0) axis.negative = std::min(axis.negative, axis.absolute);
         axis.absolute += std::abs(value);
         axis.signed_sum += value;
         axis.cumulative.push_back(axis.absolute);
     }
+    axis.negative /= axis.absolute;
     return axis;
 }
 
@@ -78,8 +80,8 @@ FilterTable tabulate_filter(const Filter& filter) {
     table.weight = x.absolute / x.signed_sum * (y.absolute / y.signed_sum);
     for (const Axis* axis : {&x, &y}) {
         for (int i = 0; i < LOBE_FILTER_NODES; ++i) {
-            const double u = 2.0 * i / (LOBE_FILTER_NODES - 1) - 1;  // -1 .. 1 over both sides
-            table.nodes.push_back(static_cast<float>(std::copysign(invert(*axis, std::abs(u)), u)));
+            const double v = static_cast<double>(i) / (LOBE_FILTER_NODES - 1);
+            table.nodes.push_back(static_cast<float>(invert(*axis, (1 - v) * (1 + v))));
         }
     }
     return table;

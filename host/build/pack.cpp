@@ -167,7 +167,7 @@ PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
     packed.models = options.all_features ? options.all_models : models_in_use(scene);
     Packer(scene, packed).pack();
     packed.bvh = build_bvh(packed.triangles, packed.vertices, packed.spheres);
-    if (scene.filter.kind != FilterKind::box || options.all_features)
+    if (scene.filter.kind != FilterKind::box)
         packed.filter_nodes = tabulate_filter(scene.filter).nodes;
     packed.frame = pack_frame(scene, packed.placement);
     packed.frame.triangles = static_cast<LobeUint>(packed.triangles.size());

@@ -63,6 +63,7 @@ void pack_camera(const Scene& scene, const Placement& placement, LobeFrame& fram
 }
 
 void pack_filter(const Filter& filter, const FilterTable& table, LobeFrame& frame) {
+    frame.filter_table = filter.kind != FilterKind::box;
     frame.filter_radius_x = static_cast<float>(filter.radius_x);
     frame.filter_radius_y = static_cast<float>(filter.radius_y);
     frame.filter_negative_x = static_cast<float>(table.negative_x);

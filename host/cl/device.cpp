@@ -165,19 +165,22 @@ void Device::finish() const {
     checked([&] { queue_.finish(); });
 }
 
+std::size_t chosen_device(const std::vector<DeviceInfo>& devices, const std::string& choice) {
+    const char* variable = std::getenv("LOBE_DEVICE");
+    if (!choice.empty() || !variable || !*variable) return choose_device(devices, choice);
+    try {
+        return choose_device(devices, variable);
+    } catch (const Error& error) {
+        throw Error(error.code(), error.what(), "LOBE_DEVICE", error.hint());
+    }
+}
+
 Device open_device(const std::string& choice) {
     const std::vector<Found> found = find_devices();
     std::vector<DeviceInfo> devices;
     for (const Found& one : found) devices.push_back(one.info);
-    const char* variable = std::getenv("LOBE_DEVICE");
-    const bool from_variable = choice.empty() && variable && *variable;
-    try {
-        const Found& one = found[choose_device(devices, from_variable ? variable : choice)];
-        return Device(one.device, one.info);
-    } catch (const Error& error) {
-        if (!from_variable) throw;
-        throw Error(error.code(), error.what(), "LOBE_DEVICE", error.hint());
-    }
+    const Found& one = found[chosen_device(devices, choice)];
+    return Device(one.device, one.info);
 }
 
 }  // namespace lobe

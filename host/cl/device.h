@@ -36,6 +36,9 @@ std::vector<DeviceInfo> list_devices();
 // meant.
 std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& choice);
 
+// The same; where `choice` is empty, the environment's LOBE_DEVICE decides.
+std::size_t chosen_device(const std::vector<DeviceInfo>& devices, const std::string& choice);
+
 // What to do about failures without a word from a driver that needs a writable cache folder: PoCL
 // shows no device or builds nothing without it. "" for other platforms.
 std::string cache_hint(const std::string& platform);
@@ -67,7 +70,7 @@ class Device {
     std::shared_ptr<MemoryAccount> memory_;
 };
 
-// Opens the device that `choice` means; where it is empty, the environment's LOBE_DEVICE decides.
+// Opens the chosen_device().
 Device open_device(const std::string& choice = "");
 
 }  // namespace lobe

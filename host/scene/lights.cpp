@@ -20,6 +20,7 @@ glm::dvec3 scaled(Parameters& p, const char* name) {
     p.check_range(colour, 0, inf);
     const glm::dvec3 scale = p.colour({"scale"}, glm::dvec3(1));
     p.check_range(scale, 0, inf);
+    p.check_float(colour * scale);
     return colour * scale;
 }
 

@@ -2,6 +2,8 @@
 // Rules: C. Loop, "Smooth Subdivision Surfaces Based on Triangles", 1987, with the weights of
 // Warren (3/16 for valence 3, else 3/(8n)); boundary and limit masks: Hoppe et al., "Piecewise
 // Smooth Surface Reconstruction", 1994; as in Pharr, Jakob and Humphreys, section 3.8 (3rd ed.).
+// Boundaries end with pbrt's mask 1/5 3/5 1/5 everywhere (a regular one would have 1/6 2/3 1/6), so
+// that silhouettes agree; normals are those of the limit surface, from the control points.
 #include "scene/loop_subdivision.h"
 
 #include <cmath>

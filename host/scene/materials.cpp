@@ -20,6 +20,7 @@ glm::dvec3 reflectance(Parameters& p, std::initializer_list<const char*> names, 
                        const ReadContext& context) {
     const glm::dvec3 value = p.colour(names, glm::dvec3(standard));
     p.check_range(value, 0, inf);
+    p.check_float(value);
     if (std::max({value.x, value.y, value.z}) > 1)
         context.warn(p.last_place(), "a reflectance above one makes energy");
     return value;
@@ -52,8 +53,8 @@ MaterialRows plastic(Parameters& p, const ReadContext& context) {
     const double roughness = p.number({"roughness"}, 0.1);
     p.check_range(roughness, 0, 10);
     rows.set("alpha", alpha_of(roughness, remap, false));
-    // pbrt-v3 passes the two indices in the order (1.5, 1), unlike its book, and its author keeps it
-    // so for the sake of existing scenes: its plastic reflects as seen from inside.
+    // pbrt-v3 passes the two indices in the order (1.5, 1), unlike its book, and its author keeps
+    // it so for the sake of existing scenes: its plastic reflects as seen from inside.
     rows.set("eta", 1 / 1.5);
     p.refuse({"bumpmap", "displacement", "normalmap"});
     return rows;

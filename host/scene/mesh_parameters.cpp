@@ -72,8 +72,11 @@ Mesh read_triangle_mesh(Parameters& p) {
             mesh.normals.emplace_back(glm::length(normal) > 0 ? glm::normalize(normal) : normal);
     if (const auto* uv =
             per_vertex(p, {"uv", "st"}, {Type::point2, Type::number, Type::vector2}, 2, vertices))
-        for (std::size_t i = 0; i < vertices; ++i)
-            mesh.uvs.emplace_back(uv->numbers[2 * i], uv->numbers[2 * i + 1]);
+        for (std::size_t i = 0; i < vertices; ++i) {
+            const glm::dvec2 pair(uv->numbers[2 * i], uv->numbers[2 * i + 1]);
+            p.check_float(glm::dvec3(pair, 0));
+            mesh.uvs.emplace_back(pair);
+        }
     p.ignore({"S", "faceIndices", "discarddegenerateUVs"});
     return mesh;
 }
@@ -86,10 +89,10 @@ Mesh read_loop_mesh(Parameters& p) {
     mesh.triangles = triangles_of(indices, mesh.positions.size());
     const int levels = p.integer({"levels", "nlevels"}, 3);
     p.check_range(levels, 0, 12);
-    if (static_cast<double>(mesh.triangles.size()) * std::pow(4.0, levels) > (1 << 28))
+    if (static_cast<double>(mesh.triangles.size()) * std::pow(4.0, levels) > (1 << 25))
         fail(p.last_place(), std::to_string(levels) + " levels of " +
                                  std::to_string(mesh.triangles.size()) +
-                                 " triangles are too many (more than 2^28)");
+                                 " triangles are too many (more than 2^25)");
     const std::string scheme = p.text({"scheme"}, "loop");
     if (scheme != "loop") fail(p.last_place(), "unknown subdivision scheme \"" + scheme + "\"");
     const std::string fault = loop_subdivide(mesh, levels);

@@ -50,6 +50,7 @@ glm::dvec3 value_of(Parameters& parameters, const Parameter& given, const BrdfPa
     if (row.kind == BrdfParameterKind::color) {
         const glm::dvec3 colour = parameters.colour_of(given);
         parameters.check_range(colour, row.lowest, row.highest);
+        parameters.check_float(colour);
         return colour;
     }
     const double value = parameters.number_of(given, std::isinf(row.highest));
@@ -57,6 +58,7 @@ glm::dvec3 value_of(Parameters& parameters, const Parameter& given, const BrdfPa
         fail(given.values_place,
              "parameter \"" + given.name + "\" wants a whole number, has " + show(value));
     parameters.check_range(value, row.lowest, row.highest);
+    parameters.check_float(glm::dvec3(value));
     return {value, 0, 0};
 }
 

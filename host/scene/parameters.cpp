@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "scene/colour.h"
@@ -135,6 +136,12 @@ void Parameters::check_range(double value, double low, double high) const {
 
 void Parameters::check_range(const glm::dvec3& value, double low, double high) const {
     for (int i = 0; i < 3; ++i) check_range(value[i], low, high);
+}
+
+void Parameters::check_float(const glm::dvec3& value) const {
+    for (int i = 0; i < 3; ++i)
+        if (std::isfinite(value[i]) && std::fabs(value[i]) > std::numeric_limits<float>::max())
+            fail(last_place(), "the value " + show(value[i]) + " of " + title_ + " is too large");
 }
 
 void Parameters::refuse(Names names, const std::string& hint) {

@@ -39,6 +39,9 @@ class Parameters {
     void check_range(double value, double low, double high) const;
     void check_range(const glm::dvec3& value, double low, double high) const;
 
+    // Fails for a value that the renderer's floats cannot hold.
+    void check_float(const glm::dvec3& value) const;
+
     // "understood but not supported yet", if the parameter is there.
     void refuse(Names names, const std::string& hint = "");
     // Parameters that change nothing here.

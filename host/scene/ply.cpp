@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "scene/ply_values.h"
@@ -38,9 +39,13 @@ void skip_list(PlyValues& values, const PlyProperty& list) {
     for (std::size_t i = values.next_length(list); i > 0; --i) values.next(list.type);
 }
 
-double finite(PlyValues& values, PlyType type) {
-    const double value = values.next(type);
+// A vertex's value; all but positions are kept as floats.
+double finite(PlyValues& values, const PlyProperty& property) {
+    const double value = values.next(property.type);
     if (!std::isfinite(value)) values.fail("a vertex value is not finite");
+    const bool position = property.name == "x" || property.name == "y" || property.name == "z";
+    if (!position && std::fabs(value) > std::numeric_limits<float>::max())
+        values.fail("the vertex value " + show(value) + " is too large");
     return value;
 }
 
@@ -61,7 +66,7 @@ void read_vertices(PlyValues& values, const PlyElement& element, Mesh& mesh) {
             if (property.is_list) {
                 skip_list(values, property);
             } else {
-                row[p] = finite(values, property.type);
+                row[p] = finite(values, property);
             }
         }
         const auto at = [&](int column) { return row[static_cast<std::size_t>(column)]; };

@@ -3,9 +3,9 @@
 // Sources: B. Walter et al., "Microfacet models for refraction through rough surfaces", 2007;
 // E. Heitz, "Sampling the GGX distribution of visible normals", 2018; parameters as in pbrt.
 //
-// Below alpha = 0.001 in both directions it is a smooth mirror. Light that bounces between facets is
-// lost: 12 % at alpha = 0.3 and normal incidence, 69 % (ln 2) at alpha = 1.
-// Reciprocal; conserves energy. Sampling: visible normals, so the weight is at most 1.
+// Below alpha = 0.001 in both directions it is a smooth mirror. Light that bounces between facets
+// is lost: 12 % at alpha = 0.3 and normal incidence, 69 % (ln 2) at alpha = 1. Reciprocal;
+// conserves energy. Sampling: visible normals, so the weight is at most 1.
 #ifndef LOBE_BRDF_CONDUCTOR_H
 #define LOBE_BRDF_CONDUCTOR_H
 

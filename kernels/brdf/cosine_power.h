@@ -20,9 +20,8 @@ LobePoint cosine_power_point(real n, real u) {
     return p;
 }
 
-real cosine_power_density(real n, LobePoint p, real3 wo) {
-    real power = cosine_power(n, p);
-    return power > 0 ? (n + 1) * REAL_INV_TWO_PI * power / lobe_visible_arc(p, wo) : 0;
+real cosine_power_density(real n, LobePoint p) {
+    return (n + 1) * REAL_INV_TWO_PI * cosine_power(n, p);
 }
 
 #endif

@@ -31,9 +31,12 @@ LobePoint lobe_point(real3 wo, real3 wi) {
 // its highest point, at least half the circle for t > 0. The circle, of sine s, dips below once s
 // exceeds the mirror direction's height wo.z, or as well once t falls below its sine: of the equal
 // differences s^2 - wo.z^2 and sine^2 - t^2 the one of smaller numbers is exact.
+//
+// With the azimuth uniform over this arc, lobe_direction(wo, p, arc * (u - 1/2)), a lobe of density
+// q(p) has the density q(p) / arc above the horizon, and only rounding loses a sample below it.
 real lobe_visible_arc(LobePoint p, real3 wo) {
-    real beyond = p.x < R(0.5) ? p.x * (2 - p.x) - wo.z * wo.z
-                               : wo.x * wo.x + wo.y * wo.y - p.t * p.t;
+    real beyond =
+        p.x < R(0.5) ? p.x * (2 - p.x) - wo.z * wo.z : wo.x * wo.x + wo.y * wo.y - p.t * p.t;
     return beyond > 0 ? R(0.5) + 2 * real_angle(larger(p.t, 0) * wo.z, sqrt(beyond)) : 1;
 }
 
@@ -47,13 +50,6 @@ real3 lobe_direction(real3 wo, LobePoint p, real turns) {
     return (real3)(fma(p.t, mirror.x, outward * heading.x - around.y * heading.y),
                    fma(p.t, mirror.y, outward * heading.y + around.y * heading.x),
                    fma(p.t, wo.z, sine * around.x));
-}
-
-// The direction at p with its azimuth uniform over the visible arc. A lobe of density q(p) about
-// the mirror direction then has the density q(p) / lobe_visible_arc(p, wo) above the horizon, and
-// no sample falls below it but by rounding.
-real3 lobe_visible_direction(real3 wo, LobePoint p, real u) {
-    return lobe_direction(wo, p, lobe_visible_arc(p, wo) * (u - R(0.5)));
 }
 
 // How a lobe (x) and the diffuse part (y) share the samples: as their albedos. Both 0 if both are.

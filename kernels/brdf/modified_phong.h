@@ -27,7 +27,7 @@
 LOBE_BRDF_VALUES(modified_phong)
 
 typedef struct {
-    real3 kd, ks;            // BRDF values; ks of a mirror is its albedo
+    real3 kd, ks;  // BRDF values; ks of a mirror is its albedo
     real n;
     real specular, diffuse;  // mean albedos at normal incidence
     real grazing;            // part of the specular albedo that is left at 90 degrees;
@@ -60,10 +60,11 @@ real3 modified_phong_value(const modified_phong_prepared* m, LobePoint p, real c
     return (m->kd + m->ks * cosine_power(m->n, p)) * cosine;
 }
 
-real modified_phong_density(const modified_phong_prepared* m, real2 choice, LobePoint p, real3 wo, real cosine) {
+real modified_phong_density(const modified_phong_prepared* m, real2 choice, LobePoint p, real arc,
+                            real cosine) {
     real density = choice.y * cosine * REAL_INV_PI;
     if (m->mirror || choice.x == 0) return density;
-    return fma(choice.x, cosine_power_density(m->n, p, wo), density);
+    return fma(choice.x, cosine_power_density(m->n, p) / arc, density);
 }
 
 real3 modified_phong_eval(const modified_phong_prepared* m, real3 wo, real3 wi) {
@@ -71,22 +72,26 @@ real3 modified_phong_eval(const modified_phong_prepared* m, real3 wo, real3 wi) 
 }
 
 real modified_phong_pdf(const modified_phong_prepared* m, real3 wo, real3 wi) {
-    return modified_phong_density(m, modified_phong_choice(m, wo), lobe_point(wo, wi), wo, wi.z);
+    LobePoint p = lobe_point(wo, wi);
+    return modified_phong_density(m, modified_phong_choice(m, wo), p, lobe_visible_arc(p, wo),
+                                  wi.z);
 }
 
 BrdfSample modified_phong_sample(const modified_phong_prepared* m, real3 wo, real3 u) {
     BrdfSample sample = brdf_no_sample();
     real2 choice = modified_phong_choice(m, wo);
     LobePoint p;
-    if (u.z < choice.x) {
+    int from_lobe = u.z < choice.x;
+    if (from_lobe) {
         if (m->mirror) return delta_sample(wo, m->ks * wo.z, choice.x);
         p = cosine_power_point(m->n, u.x);
-        sample.wi = lobe_visible_direction(wo, p, u.y);
     } else {
         sample.wi = cosine_hemisphere(u.xy);
         p = lobe_point(wo, sample.wi);
     }
-    real pdf = modified_phong_density(m, choice, p, wo, sample.wi.z);
+    real arc = lobe_visible_arc(p, wo);
+    if (from_lobe) sample.wi = lobe_direction(wo, p, arc * (u.y - R(0.5)));
+    real pdf = modified_phong_density(m, choice, p, arc, sample.wi.z);
     if (!(sample.wi.z > 0 && pdf > 0)) return brdf_no_sample();
     sample.pdf = pdf;
     sample.weight = modified_phong_value(m, p, sample.wi.z) / pdf;

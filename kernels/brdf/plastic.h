@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plastic: Lambert's reflection below GGX microfacets of a dielectric, f = kd + ks F D G / (4 cos cos).
+// Plastic: Lambert's reflection below GGX microfacets of a dielectric,
+// f = kd + ks F D G / (4 cos theta_i cos theta_o).
 // Source: the plastic material of pbrt-v3 (M. Pharr, W. Jakob, G. Humphreys, "Physically Based
 // Rendering", 3rd edition, 2016), to which it is equal for eta = 1/1.5 and kd = Kd / pi: pbrt-v3
 // passes the two indices in the opposite order, so that its plastic reflects as seen from inside,

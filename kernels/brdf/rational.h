@@ -6,7 +6,7 @@
 // n = 0 is a wide lobe of constant value where c > 0, n = 1 is cos, large n are sharp lobes with
 // tails that fall as 1 / angle^2, n = infinity is a mirror. c < 0 would give negative light or a
 // pole; `lobe` says what is done: clamp it to 0; take |c| (a second lobe opposite the first, and
-// exactly Lambert at n = 0); or do as the 2019 listing does, whose c is |cos 2 theta_o|, whatever wi.
+// exactly Lambert at n = 0); or do as the 2019 listing does: c = |cos 2 theta_o|, whatever wi.
 //
 // normalize: ks is the specular albedo at normal incidence (the largest) and kd the diffuse albedo.
 // At n = infinity the normalised lobe is a mirror of reflectance ks cos theta, the limit of the
@@ -38,9 +38,9 @@ LOBE_BRDF_VALUES(rational)
 #define RATIONAL_LISTING 2
 
 typedef struct {
-    real3 kd, ks;  // BRDF values; ks of a mirror is its albedo
-    real n, a, j;  // a = n - 1, j = integral of the lobe over the cosine
-    real density;  // 1 / (area of the lobe): density of a sample at the peak
+    real3 kd, ks;                     // BRDF values; ks of a mirror is its albedo
+    real n, a, j;                     // a = n - 1, j = integral of the lobe over the cosine
+    real density;                     // 1 / (area of the lobe): density of a sample at the peak
     real specular, grazing, diffuse;  // mean albedos, specular at normal incidence; its part at 90
     int lobe, mirror;
 } rational_prepared;
@@ -90,12 +90,17 @@ real3 rational_value(const rational_prepared* m, LobePoint p, real cosine) {
     return f * cosine;
 }
 
-// Two opposite lobes fill a whole circle at every t; one lobe is sampled over its visible arc.
-real rational_density(const rational_prepared* m, real2 choice, LobePoint p, real3 wo, real cosine) {
+// The part of the circle at p that samples fill: two opposite lobes share a whole one at every t.
+real rational_arc(const rational_prepared* m, LobePoint p, real3 wo) {
+    return m->lobe == RATIONAL_ABS ? 1 : lobe_visible_arc(p, wo);
+}
+
+real rational_density(const rational_prepared* m, real2 choice, LobePoint p, real arc,
+                      real cosine) {
     real density = choice.y * cosine * REAL_INV_PI;
     if (m->mirror || choice.x == 0 || !(p.t > 0)) return density;
     real lobe = m->density * (m->n < RATIONAL_FLAT ? 1 : rational_lobe(m->n, p));
-    return fma(choice.x, m->lobe == RATIONAL_ABS ? lobe : lobe / lobe_visible_arc(p, wo), density);
+    return fma(choice.x, lobe / arc, density);
 }
 
 real3 rational_eval(const rational_prepared* m, real3 wo, real3 wi) {
@@ -103,27 +108,28 @@ real3 rational_eval(const rational_prepared* m, real3 wo, real3 wi) {
 }
 
 real rational_pdf(const rational_prepared* m, real3 wo, real3 wi) {
-    return rational_density(m, rational_choice(m, wo), rational_point(m, wo, wi), wo, wi.z);
+    LobePoint p = rational_point(m, wo, wi);
+    return rational_density(m, rational_choice(m, wo), p, rational_arc(m, p, wo), wi.z);
 }
 
 BrdfSample rational_sample(const rational_prepared* m, real3 wo, real3 u) {
     BrdfSample sample = brdf_no_sample();
     real2 choice = rational_choice(m, wo);
     LobePoint p;
-    if (u.z < choice.x) {
+    int from_lobe = u.z < choice.x;
+    if (from_lobe) {
         if (m->mirror) return delta_sample(wo, m->ks * wo.z, choice.x);
         p = rational_invert(m->n, m->a, m->j, u.x);
-        if (m->lobe == RATIONAL_ABS) {
-            real3 wi = lobe_direction(wo, p, u.y);
-            sample.wi = wi.z < 0 ? -wi : wi;  // the opposite lobe's share
-        } else {
-            sample.wi = lobe_visible_direction(wo, p, u.y);
-        }
     } else {
         sample.wi = cosine_hemisphere(u.xy);
         p = rational_point(m, wo, sample.wi);
     }
-    real pdf = rational_density(m, choice, p, wo, sample.wi.z);
+    real arc = rational_arc(m, p, wo);
+    if (from_lobe) {
+        real3 wi = lobe_direction(wo, p, arc * (u.y - R(0.5)));
+        sample.wi = m->lobe == RATIONAL_ABS && wi.z < 0 ? -wi : wi;  // the opposite lobe's share
+    }
+    real pdf = rational_density(m, choice, p, arc, sample.wi.z);
     if (!(sample.wi.z > 0 && pdf > 0)) return brdf_no_sample();
     sample.pdf = pdf;
     sample.weight = rational_value(m, p, sample.wi.z) / pdf;

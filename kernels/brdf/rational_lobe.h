@@ -48,7 +48,7 @@ RationalMoments rational_moments(real n) {
 // The point with G(x) = u J, where G is the integral of g from the peak: y = 1 + a x solves
 // n ln y - y + 1 = u a^2 J. Solved without a loop in three regions:
 //
-// (1) u < 0.1, near the peak: one Halley step for s = ln y from the series s = a u J (1 + u J / 2).
+// (1) u < 0.1, near the peak: one Newton step for s = ln y from the series s = a u J (1 + u J / 2).
 // Else y = n e^-w, w - 1 + e^-w = d = (1 - u) a^2 J / n, one equation for all n (a branch of
 // Lambert's W). With s = sign(a) sqrt(2 d):
 // (2) |s| <= 1.8: e^-w = 1 - s Q(s), hence t = n (1 - e^-w) / a = sqrt(2 n J (1 - u)) Q(s);
@@ -93,10 +93,7 @@ LobePoint rational_near_peak(real n, real a, real j, real u) {
     real f = fabs(s) < R(0.05) ? s - s * s * fma(s, fma(s, R(1.0) / 24, R(1.0) / 6), R(0.5)) / a
                                : n / a * s - e / a;
     f -= a * target;
-    real slope = 1 - e / a;
-    real step = f / slope;
-    step /= fma(R(0.5) * (1 + e) / (a * slope), step, 1);  // Halley
-    p.x = real_expm1(s - step) / a;
+    p.x = real_expm1(s - f / (1 - e / a)) / a;
     p.t = 1 - p.x;
     return p;
 }

@@ -16,21 +16,25 @@ real fresnel_dielectric(real cosine, real eta) {
     return R(0.5) * (across * across + along * along);
 }
 
-// One wavelength of a conductor of index eta + i k (S. Lagarde, "Memo on Fresnel equations", 2013,
-// whose a^2 cancels for k >> eta: here it is the product of the roots over the other root).
+// One wavelength of a conductor of index eta + i k. With a + i b = sqrt((eta + i k)^2 - sin^2) the
+// reflectances are sums of squares, so that no rounding makes them negative (S. Lagarde, "Memo on
+// Fresnel equations", 2013, gives them expanded; its a^2 cancels for k >> eta, b^2 for k << eta:
+// here each is half a sum, or the known product a^2 b^2 over the other).
 real fresnel_conductor_channel(real cosine, real eta, real k) {
     real c2 = cosine * cosine;
     real s2 = (1 - cosine) * (1 + cosine);
-    real t0 = (eta - k) * (eta + k) - 1 + c2;
-    real ek = eta * k;
-    real sum = sqrt(t0 * t0 + 4 * ek * ek);  // a^2 + b^2
-    real a2 = t0 >= 0 ? R(0.5) * (sum + t0) : 2 * ek * ek / (sum - t0);
-    real ac = 2 * sqrt(a2) * cosine;
-    real across_most = sum + c2 + ac;
-    real along_most = c2 * sum + s2 * s2 + ac * s2;
+    real t0 = (eta - k) * (eta + k) - 1 + c2;  // a^2 - b^2
+    real ab = eta * k;
+    real sum = sqrt(t0 * t0 + 4 * ab * ab);  // a^2 + b^2
+    real most = R(0.5) * (sum + fabs(t0));
+    real least = most > 0 ? ab * ab / most : 0;
+    real a = sqrt(t0 >= 0 ? most : least);
+    real b2 = t0 >= 0 ? least : most;
+    real across_most = square(cosine + a) + b2;
+    real along_most = square(a * cosine + s2) + b2 * c2;
     if (!(across_most > 0 && along_most > 0)) return 1;
-    real across = (sum + c2 - ac) / across_most;
-    real along = (c2 * sum + s2 * s2 - ac * s2) / along_most;
+    real across = (square(cosine - a) + b2) / across_most;
+    real along = (square(a * cosine - s2) + b2 * c2) / along_most;
     return R(0.5) * across * (1 + along);
 }
 

@@ -23,13 +23,13 @@ real real_angle(real y, real x) { return atan2pi(y, x) * 0.5; }
 
 #else
 
-#define REAL_LN2 0.69314718246459960938f       // ln 2 rounded up to float
-#define REAL_LN2_REST -1.9046542e-9f           // what that is too much
+#define REAL_LN2 0.69314718246459960938f  // ln 2 rounded up to float
+#define REAL_LN2_REST -1.9046542e-9f      // what that is too much
 #define REAL_LOG2_E 1.44269504088896340736f
-#define REAL_ROUNDER 12582912.0f               // 1.5 * 2^23: adding it rounds to an integer
-#define REAL_TWO_PI_REST -1.7484555e-7f        // 2 pi less its float
-#define REAL_BIG_X 89.0f                       // exp overflows before this
-#define REAL_TINY_X -104.0f                    // exp rounds to 0 from here on
+#define REAL_ROUNDER 12582912.0f         // 1.5 * 2^23: adding it rounds to an integer
+#define REAL_TWO_PI_REST -1.7484555e-7f  // 2 pi less its float
+#define REAL_BIG_X 89.0f                 // exp overflows before this
+#define REAL_TINY_X -104.0f              // exp rounds to 0 from here on
 
 // exp(x) = 2^k (1 + p) for |x| <= 104: gives p in [-0.3, 0.42] and k. Fit of p: 1.4e-8.
 real real_exp_parts(real x, int* k) {

@@ -3,8 +3,9 @@
 // E. Heitz, "Understanding the masking-shadowing function", JCGT 3(2), 2014).
 //
 // Everything is written with the stretched length s(w) = |(ax x, ay y, z)| = z (1 + 2 Lambda(w)),
-// so that no cosine divides: G2 / (4 zo zi) = 1 / (2 (so zi + si zo)), G1 / (4 zo) = 1 / (2 (zo + so)).
-// Cosines down to the smallest number and alpha down to 1e-4 stay finite.
+// so that no cosine divides: G2 / (4 zo zi) = 1 / (2 (so zi + si zo)) and
+// G1 / (4 zo) = 1 / (2 (zo + so)). Cosines down to the smallest number and alpha down to 1e-4 stay
+// finite.
 #ifndef LOBE_CORE_MICROFACET_H
 #define LOBE_CORE_MICROFACET_H
 

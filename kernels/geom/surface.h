@@ -51,8 +51,11 @@ Surface triangle_surface(const Shapes* shapes, const Hit* hit) {
     real3 normal = normalize(cross(p1 - p0, p2 - p0));
     s.geometric = flags & LOBE_SURFACE_FLIPPED ? -normal : normal;
     s.position = b0 * p0 + hit->b1 * p1 + hit->b2 * p2;
-    // Seven roundings in weights, products and sums, and two more for the move along the normal.
-    s.error = 9 * REAL_EPSILON * (fabs(b0 * p0) + fabs(hit->b1 * p1) + fabs(hit->b2 * p2));
+    // Seven roundings in weights, products and sums, and two more for the move along the normal. The
+    // largest coordinate speaks for all: a triangle in the plane z = 0 has an exact z, but the test
+    // of another one in that plane, with a slanting ray, rounds as its x and y do.
+    real3 size = fabs(b0 * p0) + fabs(hit->b1 * p1) + fabs(hit->b2 * p2);
+    s.error = (real3)(9 * REAL_EPSILON * largest_component(size));
     s.shading = s.geometric;
     if (flags & LOBE_SURFACE_NORMALS) {
         real3 n = b0 * vertex_normal(v0) + hit->b1 * vertex_normal(v1) + hit->b2 * vertex_normal(v2);

@@ -12,7 +12,7 @@ typedef struct {
     uint count;
 } Lights;
 
-// The light whose part of [0, 1) holds u, and u stretched over that part.
+// The light whose part of [0, 1) holds u.
 uint choose_light(const Lights* lights, real u) {
     uint first = 0, last = lights->count - 1;
     while (first < last) {
@@ -48,11 +48,12 @@ LightSample distant_light_sample(const LobeLight* light) {
     return sample;
 }
 
-LightSample sample_chosen_light(const Shapes* shapes, const LobeLight* light, real3 from, real2 u) {
+LightSample sample_chosen_light(const Shapes* shapes, const LobeLight* light, real3 from, uint on,
+                                real2 u) {
     if (LOBE_HAS_TRIANGLE_LIGHTS && light->kind == LOBE_LIGHT_TRIANGLE)
         return triangle_light_sample(shapes, light, from, u);
     if (LOBE_HAS_SPHERE_LIGHTS && light->kind == LOBE_LIGHT_SPHERE)
-        return sphere_light_sample(light, from, u);
+        return sphere_light_sample(light, from, on, u);
     if (LOBE_HAS_POINT_LIGHTS && light->kind == LOBE_LIGHT_POINT)
         return point_light_sample(light, from);
     if (LOBE_HAS_DISTANT_LIGHTS && light->kind == LOBE_LIGHT_DISTANT)
@@ -60,11 +61,13 @@ LightSample sample_chosen_light(const Shapes* shapes, const LobeLight* light, re
     return no_light_sample();
 }
 
-// A direction from `from` towards one light; its pdf includes the choice of the light.
-LightSample sample_light(const Lights* lights, const Shapes* shapes, real3 from, real choice, real2 u) {
+// A direction from the point `from` of the primitive `on` towards one light; its pdf includes the
+// choice of the light.
+LightSample sample_light(const Lights* lights, const Shapes* shapes, real3 from, uint on,
+                         real choice, real2 u) {
     if (lights->count == 0) return no_light_sample();
     LobeLight light = lights->lights[choose_light(lights, choice)];
-    LightSample sample = sample_chosen_light(shapes, &light, from, u);
+    LightSample sample = sample_chosen_light(shapes, &light, from, on, u);
     sample.pdf *= light.probability;
     return sample;
 }
@@ -76,7 +79,7 @@ real light_pdf(const Lights* lights, const Ray* ray, const Surface* surface) {
     if (LOBE_HAS_TRIANGLE_LIGHTS && light.kind == LOBE_LIGHT_TRIANGLE)
         pdf = triangle_light_pdf(&light, ray, surface);
     if (LOBE_HAS_SPHERE_LIGHTS && light.kind == LOBE_LIGHT_SPHERE)
-        pdf = sphere_light_pdf(&light, ray->origin);
+        pdf = sphere_light_pdf(&light, ray->origin, ray->from);
     return pdf * light.probability;
 }
 

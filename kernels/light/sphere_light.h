@@ -22,11 +22,18 @@ int emits_outwards(const LobeLight* light) {
     return !(light->flags & LOBE_LIGHT_FLIPPED) || light->flags & LOBE_LIGHT_TWO_SIDED;
 }
 
+// Whether the sphere is seen from inside. A point `on` the sphere itself counts as inside, however
+// rounding has placed it: the directions that lead back to the sphere are those that go in.
+int sees_inside(const LobeLight* light, real d2, uint on) {
+    return on == light->primitive || d2 <= light->radius * light->radius;
+}
+
 // From inside, every direction meets the sphere: all are sampled alike.
-LightSample inside_sphere_sample(const LobeLight* light, real3 to_centre, real2 u) {
+LightSample inside_sphere_sample(const LobeLight* light, real3 to_centre, uint on, real2 u) {
     LightSample sample = no_light_sample();
     real3 d = uniform_sphere(u);
     real along = dot(to_centre, d);
+    if (on == light->primitive && !(along > 0)) return sample;  // it leads away
     real3 across = to_centre - along * d;
     real half_chord = sqrt(larger(0, light->radius * light->radius - dot(across, across)));
     sample.towards = d;
@@ -37,14 +44,15 @@ LightSample inside_sphere_sample(const LobeLight* light, real3 to_centre, real2 
     return sample;
 }
 
-LightSample sphere_light_sample(const LobeLight* light, real3 from, real2 u) {
+// From the point `from` of the primitive `on`.
+LightSample sphere_light_sample(const LobeLight* light, real3 from, uint on, real2 u) {
     real3 to_centre = (real3)(light->x, light->y, light->z) - from;
     real d2 = dot(to_centre, to_centre);
     real r2 = light->radius * light->radius;
-    if (d2 <= r2) {
-        return emits_inwards(light) ? inside_sphere_sample(light, to_centre, u) : no_light_sample();
-    }
     LightSample sample = no_light_sample();
+    if (sees_inside(light, d2, on)) {
+        return emits_inwards(light) ? inside_sphere_sample(light, to_centre, on, u) : sample;
+    }
     if (!emits_outwards(light)) return sample;
     real cone = seen_cone(light->radius, d2);
     real d = sqrt(d2);
@@ -61,10 +69,10 @@ LightSample sphere_light_sample(const LobeLight* light, real3 from, real2 u) {
 }
 
 // Density per solid angle of the sampler above, for any direction that meets the sphere.
-real sphere_light_pdf(const LobeLight* light, real3 from) {
+real sphere_light_pdf(const LobeLight* light, real3 from, uint on) {
     real3 to_centre = (real3)(light->x, light->y, light->z) - from;
     real d2 = dot(to_centre, to_centre);
-    if (d2 <= light->radius * light->radius) return R(0.5) * REAL_INV_TWO_PI;
+    if (sees_inside(light, d2, on)) return R(0.5) * REAL_INV_TWO_PI;
     return REAL_INV_TWO_PI / seen_cone(light->radius, d2);
 }
 

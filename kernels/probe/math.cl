@@ -4,20 +4,21 @@
 #include "core/math.h"
 #include "core/mis.h"
 
-#define PROBE_ONE(function)                                                        \
-    kernel void math_##function(global const real* a, global real* out) {          \
-        out[get_global_id(0)] = real_##function(a[get_global_id(0)]);              \
+#define PROBE_ONE(function)                                               \
+    kernel void math_##function(global const real* a, global real* out) { \
+        out[get_global_id(0)] = real_##function(a[get_global_id(0)]);     \
     }
 PROBE_ONE(exp)
 PROBE_ONE(expm1)
 PROBE_ONE(log)
 PROBE_ONE(log1p)
 
-#define PROBE_TWO(name, function)                                                              \
-    kernel void math_##name(global const real* a, global const real* b, global real* out) {    \
-        out[get_global_id(0)] = function(a[get_global_id(0)], b[get_global_id(0)]);            \
+#define PROBE_TWO(name, function)                                                           \
+    kernel void math_##name(global const real* a, global const real* b, global real* out) { \
+        out[get_global_id(0)] = function(a[get_global_id(0)], b[get_global_id(0)]);         \
     }
 PROBE_TWO(power, real_power)
+PROBE_TWO(log_split, real_log_split)
 PROBE_TWO(angle, real_angle)
 PROBE_TWO(power_heuristic, power_heuristic)
 PROBE_TWO(fresnel_dielectric, fresnel_dielectric)

@@ -3,15 +3,15 @@
 #include "core/frame3.h"
 #include "core/warp.h"
 
-#define PROBE_WARP3(function)                                                  \
-    kernel void warp_##function(global const real* u, global real* out) {      \
-        uint i = get_global_id(0);                                             \
-        vstore3(function(vload2(i, u)), i, out);                               \
+#define PROBE_WARP3(function)                                             \
+    kernel void warp_##function(global const real* u, global real* out) { \
+        uint i = get_global_id(0);                                        \
+        vstore3(function(vload2(i, u)), i, out);                          \
     }
-#define PROBE_WARP2(function)                                                  \
-    kernel void warp_##function(global const real* u, global real* out) {      \
-        uint i = get_global_id(0);                                             \
-        vstore2(function(vload2(i, u)), i, out);                               \
+#define PROBE_WARP2(function)                                             \
+    kernel void warp_##function(global const real* u, global real* out) { \
+        uint i = get_global_id(0);                                        \
+        vstore2(function(vload2(i, u)), i, out);                          \
     }
 PROBE_WARP3(cosine_hemisphere)
 PROBE_WARP3(uniform_sphere)

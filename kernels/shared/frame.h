@@ -14,7 +14,8 @@
 // Float sums in the kernel cover aligned blocks of this many sample indices; the host adds blocks.
 #define LOBE_BLOCK 8
 
-// Nodes of the table of each axis of the pixel filter (the inverse of its cumulative distribution).
+// Nodes of the table of each axis of the pixel filter (the inverse of its cumulative distribution,
+// see path/camera.h).
 #define LOBE_FILTER_NODES 1025
 
 typedef struct LobeFrame {
@@ -23,15 +24,16 @@ typedef struct LobeFrame {
     LobeUint window_width, window_height, first_row, rows;
     // samples [first_sample, first_sample + samples) of one block; two words of seed
     LobeUint first_sample, samples, seed0, seed1;
-    LobeUint max_depth, triangles, lights, pad0;
+    LobeUint max_depth, triangles, lights;
+    LobeUint filter_table;  // 1: the filter is sampled by its table, 0: it is a box
     // camera in render space: a film point (x, y) in pixels looks along corner + x dx + y dy
     float eye_x, eye_y, eye_z, lens_radius;
     float corner_x, corner_y, corner_z, focal_distance;  // distance along the axis, render units
     float dx_x, dx_y, dx_z, pad1;
     float dy_x, dy_y, dy_z, pad2;
     float axis_x, axis_y, axis_z, pad3;  // unit viewing axis
-    // pixel filter: half widths in pixels, |x| from which a lobe is negative (or infinity), and the
-    // weight of every sample, integral of |f| over integral of f
+    // pixel filter: half widths in pixels, part of its size from which a lobe is negative (or
+    // infinity), and the weight of every sample, integral of |f| over integral of f
     float filter_radius_x, filter_radius_y, filter_negative_x, filter_negative_y;
     float filter_weight, pad4, pad5, pad6;
     // constant environment: radiance

@@ -13,7 +13,8 @@ namespace {
 
 const double kd = 0.25 / static_cast<double>(pi);
 
-double albedo(const BrdfProbe<float>& probe, const BrdfValues& values, const vec3l& wo, Long width) {
+double albedo(const BrdfProbe<float>& probe, const BrdfValues& values, const vec3l& wo,
+              Long width) {
     const HemisphereGrid grid(wo, rings_of_width(width));
     const auto out = probe.eval({values}, std::vector<vec3l>(grid.nodes.size(), wo), grid.nodes);
     Long sum = 0;
@@ -21,7 +22,8 @@ double albedo(const BrdfProbe<float>& probe, const BrdfValues& values, const vec
     return static_cast<double>(sum);
 }
 
-double albedo_at(const BrdfProbe<float>& probe, const BrdfValues& values, double degrees, double n) {
+double albedo_at(const BrdfProbe<float>& probe, const BrdfValues& values, double degrees,
+                 double n) {
     return albedo(probe, values, direction(radians(degrees)), 1 / std::max(n, 1.0));
 }
 
@@ -44,11 +46,28 @@ struct FurnaceRow {
 
 // kd = .25 / pi and a specular albedo of .5 at normal incidence; from 1-D integrals in 20 digits.
 const FurnaceRow furnace[] = {
-    {1, {{.75, .75, .75}, {.627705, .627705, .676777}, {.454973, .454973, .543412}, {.413542, .413542, .504363}}},
-    {10, {{.75, .75, .75}, {.612310, .603687, .748282}, {.404693, .364028, .607381}, {.360011, .315980, .511282}}},
-    {100, {{.75, .75, .75}, {.607499, .603553, .75}, {.374399, .337616, .730150}, {.324151, .274563, .534725}}},
-    {1e3, {{.75, .75, .75}, {.605910, .603553, .75}, {.360103, .336824, .75}, {.303117, .261606, .604776}}},
-    {1e5, {{.75, .75, .75}, {.604831, .603553, .75}, {.349504, .336824, .75}, {.283633, .258726, .75}}},
+    {1,
+     {{.75, .75, .75},
+      {.627705, .627705, .676777},
+      {.454973, .454973, .543412},
+      {.413542, .413542, .504363}}},
+    {10,
+     {{.75, .75, .75},
+      {.612310, .603687, .748282},
+      {.404693, .364028, .607381},
+      {.360011, .315980, .511282}}},
+    {100,
+     {{.75, .75, .75},
+      {.607499, .603553, .75},
+      {.374399, .337616, .730150},
+      {.324151, .274563, .534725}}},
+    {1e3,
+     {{.75, .75, .75},
+      {.605910, .603553, .75},
+      {.360103, .336824, .75},
+      {.303117, .261606, .604776}}},
+    {1e5,
+     {{.75, .75, .75}, {.604831, .603553, .75}, {.349504, .336824, .75}, {.283633, .258726, .75}}},
 };
 
 }  // namespace
@@ -72,13 +91,20 @@ TEST(BrdfAlbedo, UnnormalisedAtNormalIncidence) {
     const double two_pi = 2 * static_cast<double>(pi);
     struct Row {
         double n, rational_k;
-    } rows[] = {{0, .5}, {1, 1.0 / 3}, {2, .272588722240}, {10, .136842948285}, {100, .032207805903},
-                {1e4, 7.7128539918e-4}, {1e6, 1.23155495046e-5}};
+    } rows[] = {{0, .5},
+                {1, 1.0 / 3},
+                {2, .272588722240},
+                {10, .136842948285},
+                {100, .032207805903},
+                {1e4, 7.7128539918e-4},
+                {1e6, 1.23155495046e-5}};
     const BrdfProbe<float> rational("rational"), modified("modified_phong"), phong("phong");
     for (const Row& row : rows) {
         const BrdfValues values = {{"kd", 0}, {"ks", 1}, {"n", row.n}};
-        EXPECT_NEAR(albedo_at(rational, values, 0, row.n) / (two_pi * row.rational_k), 1, 3e-5) << row.n;
-        EXPECT_NEAR(albedo_at(modified, values, 0, row.n) / (two_pi / (row.n + 2)), 1, 3e-5) << row.n;
+        EXPECT_NEAR(albedo_at(rational, values, 0, row.n) / (two_pi * row.rational_k), 1, 3e-5)
+            << row.n;
+        EXPECT_NEAR(albedo_at(modified, values, 0, row.n) / (two_pi / (row.n + 2)), 1, 3e-5)
+            << row.n;
         EXPECT_NEAR(albedo_at(phong, values, 0, row.n) / (two_pi / (row.n + 1)), 1, 3e-5) << row.n;
     }
 }
@@ -86,18 +112,27 @@ TEST(BrdfAlbedo, UnnormalisedAtNormalIncidence) {
 // At 90 degrees, and for n = 0 at all angles, there are closed forms for the rational lobe.
 TEST(BrdfAlbedo, RationalClosedForms) {
     const BrdfProbe<float> probe("rational");
-    const double at_horizon[][2] = {{1, 2.0 / 3}, {10, .181572936601}, {100, .0281937424538}, {1e3, .00330491819267}};
+    const double at_horizon[][2] = {
+        {1, 2.0 / 3}, {10, .181572936601}, {100, .0281937424538}, {1e3, .00330491819267}};
     for (const auto& row : at_horizon)
-        EXPECT_NEAR(albedo(probe, {{"kd", 0}, {"ks", 1}, {"n", row[0]}}, vec3l(1, 0, 1e-30L), 1 / row[0]) / row[1], 1, 1e-4) << row[0];
+        EXPECT_NEAR(
+            albedo(probe, {{"kd", 0}, {"ks", 1}, {"n", row[0]}}, vec3l(1, 0, 1e-30L), 1 / row[0]) /
+                row[1],
+            1, 1e-4)
+            << row[0];
     for (double degrees : {0.0, 30.0, 60.0, 85.0})
         EXPECT_NEAR(albedo_at(probe, {{"kd", 0}, {"ks", 1}, {"n", 0}}, degrees, 1),
                     static_cast<double>(pi / 2 * (1 + std::cos(radians(degrees)))), 1e-5);
     // The angular profile for n = 1 and 100, and |cos|: Lambert at n = 0, twice as bright at 89.
     EXPECT_NEAR(albedo_at(probe, {{"kd", 0}, {"ks", 1}, {"n", 1}}, 60, 1), 1.2755, 1e-4);
     EXPECT_NEAR(albedo_at(probe, {{"kd", 0}, {"ks", 1}, {"n", 100}}, 75, 100), .06366, 1e-5);
-    EXPECT_NEAR(albedo_at(probe, {{"kd", 0}, {"ks", 1}, {"n", 0}, {"lobe", 1}}, 50, 1), static_cast<double>(pi), 1e-5);
-    EXPECT_NEAR(albedo_at(probe, {{"kd", 0}, {"ks", 1}, {"n", 20}, {"normalize", 1}, {"lobe", 1}}, 89, 20), .372, 1e-3);
-    EXPECT_NEAR(albedo_at(probe, {{"kd", 0}, {"ks", 1}, {"n", 20}, {"normalize", 1}}, 89, 20), .195, 1e-3);
+    EXPECT_NEAR(albedo_at(probe, {{"kd", 0}, {"ks", 1}, {"n", 0}, {"lobe", 1}}, 50, 1),
+                static_cast<double>(pi), 1e-5);
+    EXPECT_NEAR(
+        albedo_at(probe, {{"kd", 0}, {"ks", 1}, {"n", 20}, {"normalize", 1}, {"lobe", 1}}, 89, 20),
+        .372, 1e-3);
+    EXPECT_NEAR(albedo_at(probe, {{"kd", 0}, {"ks", 1}, {"n", 20}, {"normalize", 1}}, 89, 20), .195,
+                1e-3);
 }
 
 // The reading of the 2019 listing depends on the viewer only: kd exactly at 45 degrees.
@@ -106,8 +141,11 @@ TEST(BrdfAlbedo, Listing) {
     const double inv_pi = static_cast<double>(1 / pi);
     const double at[][2] = {{0, 1}, {30, .048}, {60, .048}, {75, .244}, {85, .764}, {89, .988}};
     for (const auto& row : at)
-        EXPECT_NEAR(albedo_at(probe, {{"kd", 0}, {"ks", inv_pi}, {"n", 20}, {"lobe", 2}}, row[0], 1), row[1], 6e-4);
-    EXPECT_NEAR(albedo_at(probe, {{"kd", kd}, {"ks", inv_pi}, {"n", 20}, {"lobe", 2}}, 45, 1), .25, 1e-6);
+        EXPECT_NEAR(
+            albedo_at(probe, {{"kd", 0}, {"ks", inv_pi}, {"n", 20}, {"lobe", 2}}, row[0], 1),
+            row[1], 6e-4);
+    EXPECT_NEAR(albedo_at(probe, {{"kd", kd}, {"ks", inv_pi}, {"n", 20}, {"lobe", 2}}, 45, 1), .25,
+                1e-6);
 }
 
 // No model that claims to conserve energy may reflect more than it says; brightest at the normal.
@@ -117,7 +155,9 @@ TEST(BrdfAlbedo, ConservedWhereClaimed) {
         for (double n : {0.0, .1, 1.0, 10.0, 100.0, 1e4, 1e6}) {
             double last = 1 + 1e-4;
             for (double degrees : {0.0, 30.0, 45.0, 60.0, 75.0, 85.0, 90.0}) {
-                const double value = albedo_at(probe, {{"kd", .2}, {"ks", .8}, {"n", n}, {"normalize", 1}}, std::min(degrees, 89.99), n);
+                const double value =
+                    albedo_at(probe, {{"kd", .2}, {"ks", .8}, {"n", n}, {"normalize", 1}},
+                              std::min(degrees, 89.99), n);
                 EXPECT_LE(value, last) << model << " n " << n << " at " << degrees;
                 last = value * (1 + 1e-5);
             }
@@ -129,21 +169,24 @@ TEST(BrdfAlbedo, ConservedWhereClaimed) {
 TEST(BrdfAlbedo, PhongMultipliesGrazingLight) {
     const BrdfProbe<float> phong("phong");
     const BrdfValues values = {{"kd", 0}, {"ks", 1}, {"n", 10}};
-    const double at[][2] = {{0, .5236}, {30, .5236}, {60, .5286}, {75, .5905}, {85, 1.029}, {89, 3.959}, {89.9, 37.18}};
+    const double at[][2] = {{0, .5236},  {30, .5236}, {60, .5286},  {75, .5905},
+                            {85, 1.029}, {89, 3.959}, {89.9, 37.18}};
     for (const auto& row : at)
         EXPECT_NEAR(adjoint_albedo(phong, values, row[0], 10) / row[1], 1, 1e-3) << row[0];
     // The camera's side looks sound all the while.
     EXPECT_LT(albedo_at(phong, {{"kd", 0}, {"ks", 1}, {"n", 10}, {"normalize", 1}}, 89, 10), 1);
     // The modified model reflects alike from both sides.
     const BrdfProbe<float> modified("modified_phong");
-    EXPECT_NEAR(adjoint_albedo(modified, values, 89, 10) / albedo_at(modified, values, 89, 10), 1, 1e-5);
+    EXPECT_NEAR(adjoint_albedo(modified, values, 89, 10) / albedo_at(modified, values, 89, 10), 1,
+                1e-5);
 }
 
 // Facets that reflect all lose what would bounce between them, and never gain.
 TEST(BrdfAlbedo, MicrofacetsGainNothing) {
     const BrdfProbe<float> conductor("conductor");
     const auto white = [&](double alpha_x, double alpha_y, double degrees) {
-        return albedo_at(conductor, {{"eta", 0}, {"k", 100}, {"alpha_x", alpha_x}, {"alpha_y", alpha_y}},
+        return albedo_at(conductor,
+                         {{"eta", 0}, {"k", 100}, {"alpha_x", alpha_x}, {"alpha_y", alpha_y}},
                          degrees, 10 / alpha_x / alpha_y);
     };
     // alpha = 1 at normal incidence: half of all directions uniformly, weight 2 z / (1 + z).

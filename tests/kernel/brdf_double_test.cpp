@@ -15,14 +15,20 @@ struct Difference {
 };
 
 // Worst relative differences over random directions, half of them near the mirror direction.
-Difference compare(const BrdfProbe<float>& single, const BrdfProbe<double>& wide, const BrdfValues& values, Long width) {
+Difference compare(const BrdfProbe<float>& single, const BrdfProbe<double>& wide,
+                   const BrdfValues& values, Long width) {
     Random random(41);
     std::vector<vec3l> wo, wi, u;
     while (wo.size() < 8192) {
-        const glm::vec3 o(direction(std::acos(Long(random.uniform(1e-3, 1))), random.uniform(0, 6.28)));
+        const glm::vec3 o(
+            direction(std::acos(Long(random.uniform(1e-3, 1))), random.uniform(0, 6.28)));
         const vec3l mirror(-o.x, -o.y, o.z);
-        const glm::vec3 v(wo.size() % 2 ? direction(std::acos(Long(random.uniform(1e-3, 1))), random.uniform(0, 6.28))
-                                        : glm::normalize(mirror + width * Long(random.uniform(0, 4)) * direction(random.uniform(0, 3.1), random.uniform(0, 6.28))));
+        const glm::vec3 v(
+            wo.size() % 2
+                ? direction(std::acos(Long(random.uniform(1e-3, 1))), random.uniform(0, 6.28))
+                : glm::normalize(mirror +
+                                 width * Long(random.uniform(0, 4)) *
+                                     direction(random.uniform(0, 3.1), random.uniform(0, 6.28))));
         if (!(v.z > 1e-3f)) continue;
         wo.push_back(vec3l(o));
         wi.push_back(vec3l(v));
@@ -40,7 +46,8 @@ Difference compare(const BrdfProbe<float>& single, const BrdfProbe<double>& wide
         if (apart > 0.1) continue;  // u.z fell between two roundings of the choice
         worst.direction = std::max(worst.direction, apart);
         if (t[i].wi.z > 0.1)
-            worst.weight = std::max(worst.weight, std::fabs(s[i].weight.x - t[i].weight.x) / (t[i].weight.x + 1e-20));
+            worst.weight = std::max(
+                worst.weight, std::fabs(s[i].weight.x - t[i].weight.x) / (t[i].weight.x + 1e-20));
     }
     return worst;
 }
@@ -48,7 +55,8 @@ Difference compare(const BrdfProbe<float>& single, const BrdfProbe<double>& wide
 void report(const std::string& model, const BrdfValues& values, const Difference& d) {
     std::printf("  %-15s", model.c_str());
     for (const auto& [name, value] : values) std::printf(" %s %g", name.c_str(), value);
-    std::printf(": f %.1e, pdf %.1e, weight %.1e, direction %.1e\n", d.f, d.pdf, d.weight, d.direction);
+    std::printf(": f %.1e, pdf %.1e, weight %.1e, direction %.1e\n", d.f, d.pdf, d.weight,
+                d.direction);
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ class HemisphereGrid {
     HemisphereGrid(const vec3l& wo, std::vector<Long> edges, int azimuths = 6)
         : wo_(wo), mirror_(-wo.x, -wo.y, wo.z), azimuth_rule_(gauss_rule(azimuths)) {
         sine_ = std::hypot(wo.x, wo.y);
-        const vec3l heading = sine_ > 0 ? vec3l(mirror_.x, mirror_.y, 0.0L) / sine_ : vec3l(1, 0, 0);
+        const vec3l heading =
+            sine_ > 0 ? vec3l(mirror_.x, mirror_.y, 0.0L) / sine_ : vec3l(1, 0, 0);
         up_ = vec3l(-wo.z * heading.x, -wo.z * heading.y, sine_);
         side_ = vec3l(-heading.y, heading.x, 0);
         const Long last = 1 + sine_;  // no higher x above the horizon

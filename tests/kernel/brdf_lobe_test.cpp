@@ -50,7 +50,8 @@ Long cumulated(Long n, Long x) {
     const Long a = n - 1;
     if (std::fabs(a * x) < 1e-3L) {  // sum_k (-a)^k (x^(k+1)/(k+1) - x^(k+2)/(k+2))
         Long sum = 0, power = 1;
-        for (int k = 0; k < 12; ++k, power *= -a * x) sum += power * (x / (k + 1) - x * x / (k + 2));
+        for (int k = 0; k < 12; ++k, power *= -a * x)
+            sum += power * (x / (k + 1) - x * x / (k + 2));
         return sum;
     }
     return (n * std::log1p(a * x) - a * x) / (a * a);
@@ -60,8 +61,21 @@ Long cumulated(Long n, Long x) {
 
 TEST_F(BrdfLobe, MomentsKnownValues) {
     const std::vector<float> n = {0, 1, 2, 10, 100, 1e4f, 1e6f, 1e8f};
-    const double j[] = {1, .5, .386294361120, .173158653456, .036885727844, 8.2120827064e-4, 1.2815537189e-5, 1.74206811024e-7};
-    const double k[] = {.5, 1.0 / 3, .272588722240, .136842948285, .032207805903, 7.7128539918e-4, 1.23155495046e-5};
+    const double j[] = {1,
+                        .5,
+                        .386294361120,
+                        .173158653456,
+                        .036885727844,
+                        8.2120827064e-4,
+                        1.2815537189e-5,
+                        1.74206811024e-7};
+    const double k[] = {.5,
+                        1.0 / 3,
+                        .272588722240,
+                        .136842948285,
+                        .032207805903,
+                        7.7128539918e-4,
+                        1.23155495046e-5};
     const std::vector<float> out = moments(n);
     for (std::size_t i = 0; i < n.size(); ++i) {
         EXPECT_LE(relative_error(out[2 * i], j[i]), 4e-7) << n[i];
@@ -71,8 +85,9 @@ TEST_F(BrdfLobe, MomentsKnownValues) {
 }
 
 TEST_F(BrdfLobe, MomentsAgainstQuadrature) {
-    std::vector<float> n = {1e-30f, 1e-6f, .05f, .4f, 1 - .34f, 1 - .36f, 1 - 1e-4f, one_minus, 1,
-                            one_plus, 1 + 1e-4f, 1.34f, 1.36f, 2.499f, 2.5f, 2.501f, 1e12f};
+    std::vector<float> n = {1e-30f,    1e-6f,     .05f, .4f,      1 - .34f,  1 - .36f,
+                            1 - 1e-4f, one_minus, 1,    one_plus, 1 + 1e-4f, 1.34f,
+                            1.36f,     2.499f,    2.5f, 2.501f,   1e12f};
     Random random(21);
     for (int i = 0; i < 300; ++i) n.push_back(float(random.log_uniform(1e-3, 1e9)));
     for (int i = 0; i < 300; ++i) n.push_back(float(random.uniform(0.3, 4)));
@@ -114,7 +129,8 @@ TEST_F(BrdfLobe, Corners) {
     auto out = values(ns, std::vector<float>(count, 0), std::vector<float>(count, 1));
     for (float value : out) EXPECT_EQ(value, 1);  // g and t^n at the peak
     for (float t : {0.0f, -1e-30f, -1.0f})
-        for (float value : values(ns, std::vector<float>(count, 1 - t), std::vector<float>(count, t)))
+        for (float value :
+             values(ns, std::vector<float>(count, 1 - t), std::vector<float>(count, t)))
             EXPECT_EQ(value, 0) << t;
     for (float t : {1e-38f, 1e-20f, 1e-3f, 1.0f}) {
         EXPECT_EQ(values({0}, {1 - t}, {t})[0], 1);  // n = 0: constant where t > 0
@@ -137,12 +153,15 @@ TEST_F(BrdfLobe, InverseKnownValues) {
     struct Row {
         float n;
         double x[3];  // at u = .1, .5, .99
-    } rows[] = {{.2f, {.07529586, .3932619, .94128076}}, {10, {.018926402, .14390865, .82414521}},
-                {100, {.004463257, .054911722, .7521702}}, {1e4f, {1.2732883e-4, .0060027262, .64752369}},
+    } rows[] = {{.2f, {.07529586, .3932619, .94128076}},
+                {10, {.018926402, .14390865, .82414521}},
+                {100, {.004463257, .054911722, .7521702}},
+                {1e4f, {1.2732883e-4, .0060027262, .64752369}},
                 {1e8f, {4.7091385e-8, 6.0646745e-5, .51969648}}};
     for (const Row& row : rows) {
         const auto out = call("lobe_invert", {row.n, row.n, row.n}, {.1f, .5f, .99f}, 2);
-        for (int i = 0; i < 3; ++i) EXPECT_NEAR(out[2 * i] / row.x[i], 1, 4e-6) << row.n << " " << i;
+        for (int i = 0; i < 3; ++i)
+            EXPECT_NEAR(out[2 * i] / row.x[i], 1, 4e-6) << row.n << " " << i;
     }
     for (float u : {0.0f, 1e-5f, .05f, .3f, .9f, 1 - 0x1p-24f})
         EXPECT_NEAR(call("lobe_invert", {1}, {u}, 2)[1], std::sqrt(1 - u), 1.2e-7);
@@ -160,12 +179,14 @@ TEST_F(BrdfLobe, InverseHasTheRightShareOfTheLobe) {
     const auto out = call("lobe_invert", n, u, 2);
     double worst = 0, worst_small = 0;
     for (std::size_t i = 0; i < n.size(); ++i) {
-        ASSERT_TRUE(out[2 * i] >= 0 && out[2 * i] <= 1 && out[2 * i + 1] >= 0) << n[i] << " " << u[i];
+        ASSERT_TRUE(out[2 * i] >= 0 && out[2 * i] <= 1 && out[2 * i + 1] >= 0)
+            << n[i] << " " << u[i];
         const Long j = cumulated(n[i], 1), share = cumulated(n[i], out[2 * i]) / j;
         worst = std::max(worst, std::fabs(double(share - u[i])));
         if (u[i] < .1f) worst_small = std::max(worst_small, relative_error(share, u[i]));
     }
-    std::printf("  share of the lobe within %.2e, relative below u = 0.1 within %.2e\n", worst, worst_small);
+    std::printf("  share of the lobe within %.2e, relative below u = 0.1 within %.2e\n", worst,
+                worst_small);
     EXPECT_LE(worst, 1.5e-6);
     EXPECT_LE(worst_small, 2e-6);
     for (float peak : {.05f, .5f, 1.0f, one_plus, 2.0f, 1e4f, 3e38f})

@@ -41,7 +41,8 @@ class BrdfProbe {
         const std::string file = "brdf/" + model + ".h";
         const auto own = texts.find(file);
         table_ = parse_brdf_table(file, own != texts.end() ? own->second : KernelText().read(file));
-        texts["probe_brdf.h"] = "#include \"" + file + "\"\n#define LOBE_PROBE_BRDF " + model + "\n";
+        texts["probe_brdf.h"] =
+            "#include \"" + file + "\"\n#define LOBE_PROBE_BRDF " + model + "\n";
         ProgramOptions options;
         options.double_precision = sizeof(Real) == sizeof(double);
         program_ = build_probe("probe/brdf.cl", texts, options);

@@ -24,7 +24,8 @@ std::vector<Case> cases() {
     for (double n : {0.0, 0.02, 0.1, 0.5, 1 - 1e-6, 1.0, 2.0, 10.0, 100.0, 1e4, 1e6})
         all.push_back({"rational", {{"n", n}, {"ks", 0.5}, {"kd", 0.1}, {"normalize", 1}}});
     for (double n : {0.0, 0.5, 100.0})
-        all.push_back({"rational", {{"n", n}, {"ks", 0.8}, {"kd", 0}, {"normalize", 1}, {"lobe", 1}}});
+        all.push_back(
+            {"rational", {{"n", n}, {"ks", 0.8}, {"kd", 0}, {"normalize", 1}, {"lobe", 1}}});
     all.push_back({"rational", {{"n", 10}, {"lobe", 2}}});
     for (const char* model : {"phong", "modified_phong"})
         for (double n : {0.0, 0.5, 2.0, 10.0, 100.0, 1e4, 1e6})
@@ -69,7 +70,8 @@ void check(const BrdfProbe<float>& probe, const Case& c, double degrees, std::ui
     // At grazing angles reflection by facets is far narrower across than along.
     const int azimuths = c.model == "conductor" || c.model == "plastic" ? 32 : 6;
     const HemisphereGrid grid(wo, pilot_rings(draw(probe, c, wo, 10000, seed + 1), wo), azimuths);
-    const auto values = probe.eval({c.values}, std::vector<vec3l>(grid.nodes.size(), wo), grid.nodes);
+    const auto values =
+        probe.eval({c.values}, std::vector<vec3l>(grid.nodes.size(), wo), grid.nodes);
     std::vector<double> expected(grid.cells() + 1), counts(grid.cells() + 1);
     double mass = 0, albedo = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -102,7 +104,8 @@ void check_model(const std::string& model) {
         if (c.model != model) continue;
         for (const double degrees : angles) {
             std::string text = model + " at " + std::to_string(degrees) + " degrees:";
-            for (const auto& [name, value] : c.values) text += " " + name + " " + std::to_string(value);
+            for (const auto& [name, value] : c.values)
+                text += " " + name + " " + std::to_string(value);
             SCOPED_TRACE(text);
             check(probe, c, degrees, seed * 1000 + static_cast<int>(degrees));
         }
@@ -121,7 +124,8 @@ TEST(BrdfSampling, Conductor) { check_model("conductor"); }
 // The weight is f cos / pdf, and the density that the sample carries is the one that pdf gives for
 // its direction, up to the rounding of that direction: n d 2^-24 at an angle d from the peak.
 TEST(BrdfSampling, WeightIsValueOverDensity) {
-    for (const char* model : {"lambert", "rational", "phong", "modified_phong", "plastic", "conductor"}) {
+    for (const char* model :
+         {"lambert", "rational", "phong", "modified_phong", "plastic", "conductor"}) {
         const BrdfProbe<float> probe(model);
         std::uint64_t seed = 7000;
         for (const Case& c : cases()) {
@@ -143,7 +147,8 @@ TEST(BrdfSampling, WeightIsValueOverDensity) {
                     if (samples[i].pdf == 0 || samples[i].wi.z < 1e-3) continue;
                     ASSERT_NEAR(samples[i].pdf / values[i].pdf, 1, tolerance * 10)
                         << model << " n " << n << " at " << degrees << " z " << samples[i].wi.z;
-                    ASSERT_NEAR(samples[i].weight.x * samples[i].pdf / values[i].f.x, 1, tolerance * 10)
+                    ASSERT_NEAR(samples[i].weight.x * samples[i].pdf / values[i].f.x, 1,
+                                tolerance * 10)
                         << model << " n " << n << " at " << degrees;
                 }
             }

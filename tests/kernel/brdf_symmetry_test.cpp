@@ -20,8 +20,9 @@ void pairs(std::vector<vec3l>& a, std::vector<vec3l>& b, std::size_t count) {
         vec3l second = direction(std::acos(Long(random.uniform())), random.uniform(0, 6.28));
         if (a.size() % 2) {
             const Long spread = random.log_uniform(1e-8, 1);
-            second = glm::normalize(vec3l(-first.x, -first.y, first.z) +
-                                    spread * direction(random.uniform(0, 3.14), random.uniform(0, 6.28)));
+            second = glm::normalize(
+                vec3l(-first.x, -first.y, first.z) +
+                spread * direction(random.uniform(0, 3.14), random.uniform(0, 6.28)));
         }
         // What the device sees are floats: the pair must be the same floats both ways round.
         const vec3l u(glm::vec3{first}), v(glm::vec3{second});
@@ -38,7 +39,8 @@ double asymmetry(const BrdfProbe<float>& probe, const BrdfValues& values) {
     const auto ab = probe.eval({values}, a, b), ba = probe.eval({values}, b, a);
     double worst = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        const double f = ab[i].f.x / static_cast<double>(b[i].z), g = ba[i].f.x / static_cast<double>(a[i].z);
+        const double f = ab[i].f.x / static_cast<double>(b[i].z),
+                     g = ba[i].f.x / static_cast<double>(a[i].z);
         if (std::max(f, g) < 1e-25) continue;
         worst = std::max(worst, std::fabs(f - g) / std::max(f, g));
     }
@@ -51,7 +53,8 @@ TEST(BrdfSymmetry, ReciprocalWhereClaimed) {
     const BrdfProbe<float> rational("rational"), modified("modified_phong");
     for (double n : {0.0, 0.3, 1.0, 10.0, 1e3, 1e6, 1e10, 3e38})
         for (double normalize : {0, 1}) {
-            const BrdfValues values = {{"kd", 0.1}, {"ks", 0.5}, {"n", n}, {"normalize", normalize}};
+            const BrdfValues values = {
+                {"kd", 0.1}, {"ks", 0.5}, {"n", n}, {"normalize", normalize}};
             EXPECT_LE(asymmetry(modified, values), 1e-6) << n;
             for (double lobe : {0, 1}) {
                 BrdfValues with = values;

@@ -25,8 +25,9 @@ Long reflectance(Long cosine, Long eta, Long k) {
 std::vector<float> conductor(const Program& program, const std::vector<float>& cosine,
                              const std::vector<float>& eta, const std::vector<float>& k) {
     Buffer<float> out(test_device(), cosine.size());
-    run_probe(program, "math_fresnel_conductor", cosine.size(), Buffer<float>(test_device(), cosine),
-              Buffer<float>(test_device(), eta), Buffer<float>(test_device(), k), out);
+    run_probe(program, "math_fresnel_conductor", cosine.size(),
+              Buffer<float>(test_device(), cosine), Buffer<float>(test_device(), eta),
+              Buffer<float>(test_device(), k), out);
     return out.read_all();
 }
 

@@ -95,6 +95,25 @@ TEST_F(Math, Log1pKeepsSmallArguments) {
     EXPECT_LE(worst_ulp("math_log1p", log_spread(1e-38, 0.999, -1), exact_log1p), 2);
 }
 
+// Of t = 1 - x, each given to its own precision.
+TEST_F(Math, LogSplitKeepsBothEnds) {
+    std::vector<float> t, x;
+    std::vector<Long> exact;
+    Random random(7);
+    for (int i = 0; i < 1 << 17; ++i) {
+        const float small = float(random.log_uniform(1e-37, 0.5));
+        t.push_back(i % 2 ? small : 1 - small);
+        x.push_back(i % 2 ? 1 - small : small);
+        exact.push_back(i % 2 ? std::log(Long(small)) : std::log1p(-Long(small)));
+    }
+    const std::vector<float> y = call2("math_log_split", t, x);
+    double worst = 0;
+    for (std::size_t i = 0; i < t.size(); ++i) worst = std::max(worst, ulp_error(y[i], exact[i]));
+    std::printf("  log_split: %.3f ulp\n", worst);
+    EXPECT_LE(worst, 2);
+    EXPECT_EQ(call2("math_log_split", {1}, {0})[0], 0);
+}
+
 // Relative to the nearest axis: the sine of a small angle counts its own ulps.
 TEST_F(Math, CircleWithinTwoUlp) {
     for (const char* kernel : {"math_circle", "math_circle_octant"}) {
@@ -144,7 +163,8 @@ TEST_F(Math, PowerErrsWithItsLogarithm) {
     for (std::size_t i = 0; i < p.size(); ++i) {
         const Long exponent = Long(n[i]) * std::log(Long(base[i]));
         if (base[i] == 0 || exponent < -87) continue;
-        ASSERT_LE(relative_error(p[i], std::exp(exponent)), 6e-8 * (2 + 3 * std::fabs(double(exponent))))
+        ASSERT_LE(relative_error(p[i], std::exp(exponent)),
+                  6e-8 * (2 + 3 * std::fabs(double(exponent))))
             << base[i] << "^" << n[i];
     }
     EXPECT_EQ(call2("math_power", {0, 0, 1, 0.5f}, {0, 2, 1e30f, 1}),
@@ -155,7 +175,8 @@ TEST_F(Math, Limits) {
     const float nan = NAN;
     EXPECT_EQ(call("math_exp", {0, -inf, inf, -1e30f, 1e30f, 88.8f, -104}),
               (std::vector<float>{1, 0, inf, 0, inf, inf, 0}));
-    EXPECT_EQ(call("math_expm1", {0, -inf, inf, -30, 89}), (std::vector<float>{0, -1, inf, -1, inf}));
+    EXPECT_EQ(call("math_expm1", {0, -inf, inf, -30, 89}),
+              (std::vector<float>{0, -1, inf, -1, inf}));
     EXPECT_EQ(call("math_log", {1, 0, inf}), (std::vector<float>{0, -inf, inf}));
     EXPECT_EQ(call("math_log1p", {0, -1, inf}), (std::vector<float>{0, -inf, inf}));
     for (const char* kernel : {"math_exp", "math_expm1", "math_log", "math_log1p"})
@@ -167,7 +188,7 @@ TEST_F(Math, Limits) {
 // Densities whose squares overflow, or that are both 0 (E. Veach's weights as a ratio).
 TEST_F(Math, PowerHeuristicExtremesGiveAWeight) {
     EXPECT_EQ(call2("math_power_heuristic", {1, 0, 0, 1, 1e30f, 1e-30f, 3e38f, 1e-38f, 1e30f},
-                   {1, 0, 1, 0, 1e30f, 1e30f, 1e-38f, 3e38f, 0}),
+                    {1, 0, 1, 0, 1e30f, 1e30f, 1e-38f, 3e38f, 0}),
               (std::vector<float>{0.5f, 0, 0, 1, 0.5f, 0, 1, 0, 1}));
     const float w = call2("math_power_heuristic", {3e20f}, {1e20f})[0];
     EXPECT_NEAR(w, 0.9, 1e-6);

@@ -82,6 +82,9 @@ TEST_F(Warp, UniformSphere) {
         square.add(0.5 + 0.5 * w[i + 2], turns(w[i], w[i + 1]));
     }
     EXPECT_TRUE(square.is_uniform());
+    const auto poles = call("warp_uniform_sphere", corner_u, 3);  // u.x is 0, then the last
+    EXPECT_EQ(poles[2], 1);
+    EXPECT_NEAR(poles[8], -1, 2e-7);
 }
 
 TEST_F(Warp, UniformDisk) {
@@ -125,9 +128,11 @@ TEST_F(Warp, FrameIsOrthonormal) {
     std::vector<float> n = {0, 0, 1, 0, 0, -1}, v;
     Random random(6);
     for (int i = 0; i < 100000; ++i) {
-        const double theta = i % 2 ? std::acos(random.uniform(-1, 1)) : double(pi) - random.log_uniform(1e-8, 1);
+        const double theta =
+            i % 2 ? std::acos(random.uniform(-1, 1)) : double(pi) - random.log_uniform(1e-8, 1);
         const double phi = random.uniform(0, 6.28);
-        n.insert(n.end(), {float(std::sin(theta) * std::cos(phi)), float(std::sin(theta) * std::sin(phi)), float(std::cos(theta))});
+        n.insert(n.end(), {float(std::sin(theta) * std::cos(phi)),
+                           float(std::sin(theta) * std::sin(phi)), float(std::cos(theta))});
     }
     for (std::size_t i = 0; i < n.size(); ++i) v.push_back(float(random.uniform(-1, 1)));
     Buffer<float> out(test_device(), 4 * n.size());
@@ -137,11 +142,14 @@ TEST_F(Warp, FrameIsOrthonormal) {
     Long worst = 0;
     for (std::size_t i = 0; i < n.size() / 3; ++i) {
         const auto vec = [](const float* p) { return vec3l(p[0], p[1], p[2]); };
-        const vec3l normal = glm::normalize(vec(&n[3 * i])), t = vec(&got[12 * i]), b = vec(&got[12 * i + 3]);
-        for (const Long error : {glm::dot(t, t) - 1, glm::dot(b, b) - 1, glm::dot(t, b), glm::dot(t, normal),
-                                 glm::dot(b, normal), glm::length(glm::cross(t, b) - normal)})
+        const vec3l normal = glm::normalize(vec(&n[3 * i])), t = vec(&got[12 * i]),
+                    b = vec(&got[12 * i + 3]);
+        for (const Long error :
+             {glm::dot(t, t) - 1, glm::dot(b, b) - 1, glm::dot(t, b), glm::dot(t, normal),
+              glm::dot(b, normal), glm::length(glm::cross(t, b) - normal)})
             worst = std::max(worst, std::fabs(error));
-        worst = std::max(worst, glm::length(vec(&got[12 * i + 9]) - vec(&v[3 * i])) / 4);  // there and back
+        worst = std::max(
+            worst, glm::length(vec(&got[12 * i + 9]) - vec(&v[3 * i])) / 4);  // there and back
     }
     std::printf("  frame within %.2Le\n", worst);
     EXPECT_LE(worst, 3e-7L);

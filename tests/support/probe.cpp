@@ -3,18 +3,13 @@
 
 #include "base/kernel_text.h"
 #include "build/features.h"
+#include "scene/brdf_table.h"
 
 namespace lobe::test {
 
-// A model is a file NAME.h that has a table of NAME_parameters.
 std::vector<std::string> all_models() {
-    const KernelText kernels;
     std::vector<std::string> names;
-    for (const std::string& path : kernels.list("brdf/")) {
-        const std::string name = path.substr(5, path.find('.') - 5);
-        if (kernels.read(path).find("#define " + name + "_parameters(") != std::string::npos)
-            names.push_back(name);
-    }
+    for (const BrdfTable& table : read_brdf_tables(KernelText())) names.push_back(table.name);
     return names;
 }
 

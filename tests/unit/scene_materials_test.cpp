@@ -54,7 +54,7 @@ TEST(Materials, Plastic) {
     expect_row(plastic, 0, .4 / pi, .2 / pi, .2 / pi);
     expect_row(plastic, 1, .5, .5, .5);
     expect_row(plastic, 2, v3_alpha(.025), 0, 0);
-    expect_row(plastic, 3, 1.5, 0, 0);
+    expect_row(plastic, 3, 1 / 1.5, 0, 0);  // pbrt-v3 has the indices the other way round
     const Material standard = material3("Material \"plastic\"");
     expect_row(standard, 0, .25 / pi, .25 / pi, .25 / pi);
     expect_row(standard, 1, .25, .25, .25);
@@ -98,7 +98,7 @@ TEST(Materials, ConductorOfAReflectanceReflectsThatMuch) {
         EXPECT_NEAR(r, std::min(std::array{.2, .5, 1.}[i], .9999), 1e-6);
     }
     EXPECT_FAULT(world4("Material \"conductor\" \"rgb reflectance\" [1 1 1] \"rgb k\" [1 1 1]"),
-                 "2:50", "either");
+                 "2:48", "either");
 }
 
 TEST(Materials, Mirror) {
@@ -136,6 +136,9 @@ TEST(Materials, ParametersOutOfRangeSayTheirRange) {
     EXPECT_FAULT(world4("Material \"testmodel\" \"float order\" 2.5"), "2:36", "whole number");
     EXPECT_FAULT(world4("Material \"testmodel\" \"string lobe\" \"claMp\""), "2:36",
                  "did you mean 'clamp'? choose one of: clamp, abs, listing");
+    EXPECT_FAULT(world4("Material \"modifiedphong\" \"float n\" 1e39"), "2:26", "too large");
+    EXPECT_FAULT(world4("LightSource \"point\" \"rgb I\" [1e20 0 0] \"float scale\" 1e20"), "2:40",
+                 "too large");
     EXPECT_FAULT(world3("Material \"matte\" \"rgb Kd\" [.5 -.5 .5]"), "2:18", "has -0.5");
 }
 
@@ -179,9 +182,13 @@ TEST(Materials, SpectraBecomeColours) {
     const auto red = kd("\"blackbody kd\" [2000 1]");
     EXPECT_GT(red[0], 2 * red[1]);
     EXPECT_GT(red[1], red[2]);
-    EXPECT_FAULT(world3("Material \"matte\" \"blackbody Kd\" [2000]"), "2:18", "wants 2 numbers");
-    EXPECT_FAULT(world4("Material \"diffuse\" \"blackbody reflectance\" [2000 1]"), "2:20",
-                 "wants 1 number");
+    ReadOptions v3, v4;
+    v3.dialect = Dialect::v3;
+    v4.dialect = Dialect::v4;
+    EXPECT_EQ(fault_of(world3("Material \"matte\" \"blackbody Kd\" [2000]"), v3),
+              "2:18: a blackbody wants 2 numbers, has 1 | [ kelvin scale ] in version 3");
+    EXPECT_EQ(fault_of(world4("Material \"diffuse\" \"blackbody reflectance\" [2000 1]"), v4),
+              "2:20: a blackbody wants 1 number, has 2 | [ kelvin ] in version 4");
     EXPECT_FAULT(world3("Material \"metal\" \"spectrum eta\" \"Cu.eta.spd\""), "2:33",
                  "spectrum files");
     EXPECT_FAULT(world4("Material \"conductor\" \"spectrum eta\" \"metal-Cu-ata\""), "2:37",
