@@ -202,6 +202,10 @@ int run(const Options& options) {
     session.set_seed(options.seed);
     take_outcome(render_watched(session, plan), session, report);
     warn_of_status(report.status);
+    if (report.picture.samples == 0) {  // a black picture is not worth the old one
+        note("stopped before the first sample: nothing is written");
+        return stop_exit_code();
+    }
     write_pictures(report, packed.frame, options, images);
     session.keep_program();
     report.seconds.total = total.seconds();

@@ -66,7 +66,7 @@ RenderOutcome render(Session& session, const RenderPlan& plan,
                                                               static_cast<double>(row) * samples);
             if (progress && row < height) progress({done, total, outcome.film, false});
         }
-        if (row == height || first == 0) outcome.film.add_block(block, samples);
+        if (row == height || (first == 0 && row > 0)) outcome.film.add_block(block, samples);
         if (progress && row == height)
             progress({static_cast<double>(width) * height * (first + samples), total, outcome.film, true});
     }

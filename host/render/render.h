@@ -28,7 +28,8 @@ struct RenderOutcome {
 };
 
 // Renders until the plan is done or `stop()` says so. Then the film ends at a block's border; only
-// if not even the first block is complete does it hold that part of it that is (missing rows are 0).
+// if not even the first block is complete does it hold that part of it that is (missing rows are 0),
+// or nothing.
 RenderOutcome render(Session& session, const RenderPlan& plan,
                      const std::function<void(const RenderProgress&)>& progress = {},
                      const std::function<bool()>& stop = {});

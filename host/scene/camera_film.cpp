@@ -65,8 +65,8 @@ void read_screen(Parameters& p, Camera& camera) {
 
 void set_defaults(Scene& scene) {
     const bool v4 = scene.dialect == Dialect::v4;
-    scene.film.width = v4 ? 1280 : 640;
-    scene.film.height = v4 ? 720 : 480;
+    scene.film.width = 1280;
+    scene.film.height = 720;
     scene.filter = {};
     if (v4) scene.filter = {FilterKind::gaussian, 1.5, 1.5, 2.0};
     scene.samples_per_pixel = 16;

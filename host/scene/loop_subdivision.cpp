@@ -79,21 +79,20 @@ glm::dvec3 inner_normal(const std::vector<glm::dvec3>& p, const std::vector<std:
     return glm::cross(s, t);
 }
 
-// Along the boundary, and across it into the surface.
+// Along the boundary, and across it into the surface: the left eigenvectors of the rules around a
+// boundary vertex, to the values 1/2 and 3/8 + cos(theta)/4. For three and four neighbours they are
+// the masks of Hoppe et al.; for more, those belong to other rules beside the boundary.
 glm::dvec3 boundary_normal(const std::vector<glm::dvec3>& p, const glm::dvec3& centre,
                            const std::vector<std::uint32_t>& ring) {
     const std::size_t n = ring.size();
-    const glm::dvec3 along = p[ring[n - 1]] - p[ring[0]];
-    if (n == 2) return glm::cross(along, p[ring[0]] + p[ring[1]] - 2.0 * centre);
-    if (n == 3) return glm::cross(along, p[ring[1]] - centre);
-    if (n == 4)
-        return glm::cross(along,
-                          2.0 * (p[ring[1]] + p[ring[2]] - centre) - p[ring[0]] - p[ring[3]]);
+    const glm::dvec3 first = p[ring[0]] - centre, last = p[ring[n - 1]] - centre;
+    if (n == 2) return glm::cross(last - first, first + last);
     const double theta = pi / static_cast<double>(n - 1);
-    glm::dvec3 across = -std::sin(theta) * (p[ring[0]] + p[ring[n - 1]]);
+    const double end = -std::cos(theta) / std::tan(theta / 2) / (1 + 2 * std::cos(theta));
+    glm::dvec3 across = end * (first + last);
     for (std::size_t k = 1; k + 1 < n; ++k)
-        across += (2 - 2 * std::cos(theta)) * std::sin(static_cast<double>(k) * theta) * p[ring[k]];
-    return glm::cross(along, across);
+        across += std::sin(static_cast<double>(k) * theta) * (p[ring[k]] - centre);
+    return glm::cross(last - first, across);
 }
 
 std::vector<glm::dvec2> circle_of(std::size_t n) {

@@ -70,7 +70,7 @@ struct Camera {
 };
 
 struct FilmSettings {
-    std::uint32_t width = 640, height = 480;
+    std::uint32_t width = 1280, height = 720;
     std::array<double, 4> crop{0, 1, 0, 1};  // x0, x1, y0, y1 as fractions
     std::string filename;                    // what the scene file asks for, or empty
 };

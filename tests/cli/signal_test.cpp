@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A render that is stopped writes what there is, at once.
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 
 #include "base/files.h"
 #include "cli.h"
@@ -65,6 +67,25 @@ TEST_F(Stopped, TerminateDoesTheSame) {
     EXPECT_EQ(stop("32x24", SIGTERM).code, 143);
     EXPECT_LT(seconds_, 2);
     EXPECT_EQ(attribute("lobe:partial"), "1");
+}
+
+// The scene is a pipe, so that the signal comes while it is read.
+TEST_F(Stopped, BeforeTheFirstSampleLeavesTheOldPicture) {
+    folder_.write("out.exr", "the old picture");
+    ASSERT_EQ(mkfifo(path("pipe.pbrt").c_str(), 0600), 0);
+    RunOptions options;
+    options.folder = folder_.path();
+    Process process({LOBE_PROGRAM, "render", "pipe.pbrt", "-o", "out.exr"}, options);
+    std::ofstream scene(path("pipe.pbrt"));  // waits until it is opened for reading
+    process.kill(SIGINT);
+    scene << small_scene;
+    scene.close();
+    const RunResult result = process.wait();
+    EXPECT_EQ(result.code, 130);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "lobe: stopped before the first sample: nothing is written\n");
+    EXPECT_EQ(read_file(path("out.exr")), "the old picture");
+    EXPECT_EQ(files(), "out.exr pipe.pbrt scene.pbrt");
 }
 
 // Some of the rows are there, the others black.

@@ -22,8 +22,8 @@ Scene before3(const std::string& lines) { return before(lines, Dialect::v3); }
 
 TEST(Settings, DefaultsAreTheDialects) {
     const Scene v3 = before3(""), v4 = before("");
-    EXPECT_EQ(v3.film.width, 640u);
-    EXPECT_EQ(v3.film.height, 480u);
+    EXPECT_EQ(v3.film.width, 1280u);
+    EXPECT_EQ(v3.film.height, 720u);
     EXPECT_EQ(v3.filter.kind, FilterKind::box);
     EXPECT_EQ(v3.filter.radius_x, .5);
     EXPECT_EQ(v4.film.width, 1280u);
@@ -160,6 +160,9 @@ TEST(Lights, PowerGivesRadiance) {
     EXPECT_NEAR(radiance("Shape \"sphere\" \"float radius\" 2"), 10 / (pi * 16 * pi), 1e-6);
     EXPECT_NEAR(radiance("Shape \"trianglemesh\" \"point3 P\" [0 0 0 2 0 0 0 3 0]"), 10 / (pi * 3),
                 1e-6);
+    EXPECT_NEAR(radiance("AreaLightSource \"diffuse\" \"float power\" 10 \"bool twosided\" true "
+                         "Shape \"sphere\" \"float radius\" 2"),
+                10 / (2 * pi * 16 * pi), 1e-6);
     // as in pbrt-v4 each triangle has the power
     EXPECT_NEAR(radiance("Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 1 1 0 0 1 0] "
                          "\"integer indices\" [0 1 2 0 2 3]"),

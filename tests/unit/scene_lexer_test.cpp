@@ -59,6 +59,7 @@ TEST(Lexer, KeepsEscapesAndResolvesThem) {
 
 TEST(Lexer, SaysWhereAStringBeganThatDoesNotEnd) {
     EXPECT_EQ(fault("a\n \"b\nc\""), "f:2:2 a string that does not end on its line");
+    EXPECT_EQ(fault("\"b\\\nc\""), "f:1:1 a string that does not end on its line");
     EXPECT_EQ(fault("\"b\\"), "f:1:1 a string that does not end on its line");
 }
 

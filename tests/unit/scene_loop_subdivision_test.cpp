@@ -169,6 +169,22 @@ TEST(Loop, NormalsAreThoseOfTheLimitSurface) {
         EXPECT_GT(glm::dot(mesh.normals[v], glm::normalize(sums[v])), 0.9995) << v;
 }
 
+// With seven neighbours and more the scheme itself has no tangent plane at the boundary.
+TEST(Loop, BoundaryNormalsAreThoseOfTheLimit) {
+    for (unsigned spokes = 2; spokes < 7; ++spokes) {
+        SubdivisionMesh mesh{{{0, 0, 0}}, {}, {}};
+        for (unsigned i = 0; i < spokes; ++i) {
+            const double angle = 3.0 * i / (spokes - 1);
+            mesh.positions.emplace_back(std::cos(angle), std::sin(angle), std::sin(7 * angle + 1));
+            if (i > 0) mesh.triangles.emplace_back(0, i, i + 1);
+        }
+        SubdivisionMesh fine = mesh;
+        ASSERT_EQ(loop_subdivide(mesh, 0), "");
+        ASSERT_EQ(loop_subdivide(fine, 3), "");
+        EXPECT_NEAR(glm::dot(mesh.normals[0], fine.normals[0]), 1, 1e-9) << spokes;
+    }
+}
+
 TEST(Loop, RefusesWhatIsNoManifold) {
     EXPECT_EQ(fault({{0, 1, 2}, {1, 0, 3}}, 4), "");
     EXPECT_EQ(fault({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, 5),

@@ -191,6 +191,13 @@ TEST(Reader, TakesTheStartOfMotion) {
     EXPECT_NE(scene.warnings[0].find("s.pbrt:2:1: motion"), std::string::npos);
 }
 
+TEST(Reader, TransformEndBringsBackWhichTransformIsActive) {
+    const Scene scene =
+        read_text(world4("TransformBegin ActiveTransform EndTime TransformEnd Translate 1 0 0 "
+                         "Shape \"sphere\""));
+    expect_near(centre(scene), {1, 0, 0});
+}
+
 TEST(Reader, RefusesWhatIsNotThereByName) {
     EXPECT_FAULT(world4("MakeNamedMedium \"m\""), "2:1", "not supported yet");
     EXPECT_FAULT(world4("MediumInterface \"fog\""), "2:1", "not supported yet");
@@ -229,9 +236,9 @@ TEST(Dialect, AmbiguousFilesNameTheOption) {
     EXPECT_NE(fault.find("--dialect v3 or --dialect v4"), std::string::npos) << fault;
     ReadOptions options;
     options.dialect = Dialect::v3;
-    EXPECT_EQ(read_text(both, options).film.width, 640u);
+    EXPECT_EQ(read_text(both, options).filter.kind, FilterKind::box);
     options.dialect = Dialect::v4;
-    EXPECT_EQ(read_text(both, options).film.width, 1280u);
+    EXPECT_EQ(read_text(both, options).filter.kind, FilterKind::gaussian);
 }
 
 TEST(Include, IsRelativeToTheIncludingFile) {
