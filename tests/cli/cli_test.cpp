@@ -53,8 +53,7 @@ void expect_fault(const RunResult& result, int code, const std::string& error,
     EXPECT_EQ(result.code, code) << result.err;
     EXPECT_EQ(result.out, "");
     const std::string first = "lobe: error: " + error + "\n";
-    EXPECT_EQ(result.err.substr(0, first.size()), first) << result.err;
-    if (result.err.size() < first.size()) return;
+    ASSERT_EQ(result.err.substr(0, first.size()), first) << result.err;
     const std::string rest = result.err.substr(first.size());
     if (hint.empty()) {
         EXPECT_EQ(rest, "");

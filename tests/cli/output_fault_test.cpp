@@ -120,4 +120,5 @@ TEST_F(Cli, QuietNeedsNoStandardOutput) {
     const RunResult result = lobe({"render", "scene.pbrt", "-o", "out.exr", "--quiet"}, closed);
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.err, "");
+    EXPECT_EQ(files(), "out.exr scene.pbrt");
 }

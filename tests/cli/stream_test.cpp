@@ -43,6 +43,7 @@ TEST_F(Cli, QuietSaysNothing) {
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, "");
+    EXPECT_EQ(files(), "out.png scene.pbrt");
 }
 
 TEST_F(Cli, QuietStillWarns) {

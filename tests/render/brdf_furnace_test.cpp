@@ -41,7 +41,7 @@ Picture plane_at(const std::string& model, float n, double degrees) {
     add(scene, rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}));
     const double a = degrees * 3.14159265358979323846 / 180;
     look(scene, 8.0 * glm::dvec3(std::sin(a), 0, std::cos(a)), {0, 0, 0});
-    return render_picture(scene, {512});
+    return render_picture(scene, {128});
 }
 
 struct Row {

@@ -106,12 +106,15 @@ TEST(Determinism, SamplesAreWhatTheirNumberSays) {
     options.samples = 16;
     const FilmSums sixteen = render_picture(scene, options).film.sums();
     double first = 0, both = 0;
+    std::size_t repeated = 0;
     for (std::size_t i = 0; i < eight.radiance.size(); ++i) {
         EXPECT_GE(sixteen.radiance[i], eight.radiance[i]);  // radiance is never negative
+        repeated += sixteen.radiance[i] == 2 * eight.radiance[i];
         first += eight.radiance[i];
         both += sixteen.radiance[i];
     }
     EXPECT_NEAR(both / first, 2, 0.1);
+    EXPECT_LT(repeated, eight.radiance.size() / 10);  // the second block has samples of its own
 }
 
 // The picture is a matter of proportions: no constant of the code has a length in it.

@@ -127,6 +127,32 @@ TEST(DirectLight, Triangle) {
     }
 }
 
+// A lamp that hangs just before a board, and one just behind: only what is before it hides it.
+TEST(DirectLight, LampsCloseToABoard) {
+    Mesh lamp;
+    lamp.positions = triangle;
+    lamp.triangles = {{0, 1, 2}};
+    const glm::dvec3 normal = glm::normalize(
+        glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
+    const double lit =
+        5 * wall_mean([](double x, double y) { return polygon_irradiance(on_wall(x, y), triangle); });
+    for (const double gap : {2e-4, -2e-3}) {  // along the side that looks away from the wall
+        Scene scene = wall_scene();
+        shine(add(scene, lamp), 5, true);
+        Mesh board = lamp;
+        const glm::dvec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+        const double away = glm::dot(normal, middle - on_wall(0, 0)) > 0 ? 1 : -1;
+        for (glm::dvec3& p : board.positions) p = middle + 4.0 * (p - middle) + away * gap * normal;
+        add(scene, board);
+        const MeanOf mean = mean_of(render_picture(scene));
+        if (gap > 0) {
+            EXPECT_TRUE(agrees(mean, lit, tests));
+        } else {
+            EXPECT_EQ(mean.mean, 0);
+        }
+    }
+}
+
 TEST(DirectLight, SeveralLightsAdd) {
     Scene scene = wall_scene();
     const glm::dvec3 ball(0, -6, 2), lamp(4, 1, 2);

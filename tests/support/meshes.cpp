@@ -101,7 +101,14 @@ Mesh triangle_soup(Random& random, unsigned count) {
         const auto first = static_cast<unsigned>(mesh.positions.size());
         for (const glm::dvec3& p : {c, a, b}) mesh.positions.push_back(glm::clamp(p, -1.0, 1.0));
         mesh.triangles.push_back({first, first + 1, first + 2});
-        if (random.below(8) == 0) mesh.triangles.push_back(mesh.triangles.back());
+        const std::uint32_t again = random.below(8);
+        if (again == 0) mesh.triangles.push_back(mesh.triangles.back());
+        if (again > 4) {  // once more, a little aside
+            const glm::dvec3 aside = random.log_uniform(1e-7, 1e-3) * random_direction(random);
+            for (unsigned k = 0; k < 3; ++k)
+                mesh.positions.push_back(glm::clamp(mesh.positions[first + k] + aside, -1.0, 1.0));
+            mesh.triangles.push_back({first + 3, first + 4, first + 5});
+        }
     }
     return mesh;
 }
