@@ -95,7 +95,9 @@ std::string image_hash(const Estimate& picture) {
 std::string error_text(const Estimate& picture) {
     if (!picture.relative_standard_error) return "unknown";
     char text[32];
-    std::snprintf(text, sizeof text, "%.2g %%", 100 * *picture.relative_standard_error);
+    const double percent = 100 * *picture.relative_standard_error;
+    const char* format = percent >= 9.95 ? "%.0f %%" : percent >= 0.995 ? "%.1f %%" : "%.2g %%";
+    std::snprintf(text, sizeof text, format, percent);
     return text;
 }
 

@@ -22,7 +22,7 @@ Mesh cube();
 Mesh rectangle(const glm::dvec3& c, const glm::dvec3& a, const glm::dvec3& b);
 
 // `count` triangles anywhere in [-1, 1]^3: most small, some huge, some slivers, some without area,
-// some in the planes of the axes, some given twice.
+// some in the planes of the axes, some given twice or nearly so.
 Mesh triangle_soup(Random& random, unsigned count);
 
 void transform(Mesh& mesh, const glm::dmat4& matrix);
