@@ -59,8 +59,7 @@ TEST(CameraRays, ScaledCameraSpaceIsNoZoom) {
     Scene scene = small_scene(0.5);
     look(scene, {1, 2, 3}, {-2, 1, 9});
     const auto plain = CameraRig(scene).sample({3, 5}, random_numbers(16, 2));
-    scene.camera.camera_to_world = scene.camera.camera_to_world *
-                                   glm::dmat4(glm::dmat3(3.0));
+    scene.camera.camera_to_world = scene.camera.camera_to_world * glm::dmat4(glm::dmat3(3.0));
     const auto scaled = CameraRig(scene).sample({3, 5}, random_numbers(16, 2));
     for (std::size_t i = 0; i < plain.size(); ++i)
         EXPECT_LT(glm::length(plain[i].direction - scaled[i].direction), 4e-7f);

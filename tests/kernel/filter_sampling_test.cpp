@@ -82,7 +82,8 @@ TEST(FilterSampling, MomentsAreTheFilters) {
             EXPECT_NEAR(sums[1] / sums[0], 0, 1e-5) << name;  // a ramp keeps its value
             EXPECT_NEAR(sums[3] / sums[0], 0, 1e-5) << name;
             for (const int k : {2, 4})
-                EXPECT_NEAR(sums[k] / sums[0], moment(filter, radius, k) / std::pow(radius, k), 1e-4)
+                EXPECT_NEAR(sums[k] / sums[0], moment(filter, radius, k) / std::pow(radius, k),
+                            1e-4)
                     << name << ", axis " << axis << ", moment " << k;
         }
         EXPECT_NEAR(normalisation, 1, 4e-5) << name;
@@ -124,8 +125,8 @@ TEST(FilterSampling, SamplesInvertTheDistribution) {
         constexpr int cells = 20000;
         std::vector<double> sum = {0};
         for (int i = 0; i < cells; ++i)
-            sum.push_back(sum.back() +
-                          std::abs(filter_value(filter, radius, radius * (2 * (i + 0.5) / cells - 1))));
+            sum.push_back(sum.back() + std::abs(filter_value(
+                                           filter, radius, radius * (2 * (i + 0.5) / cells - 1))));
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const double at = ((samples[i].film.x - 30.5) / radius + 1) / 2 * cells;
             const double part = sum[std::size_t(std::min(at, double(cells)))] / sum.back();

@@ -25,15 +25,25 @@ std::vector<TestRay> unpleasant_rays(Random& random, const Mesh& mesh, double sc
         glm::dvec3 origin = offset + scale * random_point(random);
         glm::dvec3 target = offset + scale * random_point(random);
         switch (random.below(6)) {
-            case 0: target = origin; target[random.below(3)] += scale; break;
-            case 1: target = a; break;
-            case 2: target = glm::mix(a, b, random.uniform()); break;
+            case 0:
+                target = origin;
+                target[random.below(3)] += scale;
+                break;
+            case 1:
+                target = a;
+                break;
+            case 2:
+                target = glm::mix(a, b, random.uniform());
+                break;
             case 3:  // in the plane of a triangle, across it
                 origin = a + 3.0 * (b - a) * random.uniform(-1, 1) + 2.0 * (c - a);
                 target = glm::mix(a, b, random.uniform());
                 break;
-            case 4: origin = a, target = b; break;  // along an edge
-            default: break;
+            case 4:
+                origin = a, target = b;
+                break;  // along an edge
+            default:
+                break;
         }
         glm::dvec3 direction = target - origin;
         if (glm::length(direction) == 0) direction = glm::dvec3(0, 0, -1);
@@ -62,8 +72,8 @@ Case unpleasant_case(unsigned i) {
     for (glm::dvec3& p : c.mesh.positions) p = offset + scale * p;
     if (i % 4 == 2)
         for (int k = 0; k < 50; ++k)
-            c.spheres.push_back({offset + scale * random_point(random),
-                                 scale * random.log_uniform(1e-5, 0.5)});
+            c.spheres.push_back(
+                {offset + scale * random_point(random), scale * random.log_uniform(1e-5, 0.5)});
     c.rays = unpleasant_rays(random, c.mesh, scale, offset);
     return c;
 }
@@ -119,7 +129,8 @@ TEST(GeomBruteForce, LowerOfTwoPrimitivesWins) {
     const TraceRig rig(mesh, {{{0, 0, 0}, 0.3}, {{0, 0, 0}, 0.3}});
     std::vector<TestRay> rays;
     for (int i = 0; i < 20000; ++i)
-        rays.push_back({glm::vec3(2.0 * random_point(random)), glm::vec3(random_direction(random))});
+        rays.push_back(
+            {glm::vec3(2.0 * random_point(random)), glm::vec3(random_direction(random))});
     const Program program = build_trace_probe();
     const auto hits = rig.nearest(program, rays);
     std::size_t spheres = 0, triangles = 0;

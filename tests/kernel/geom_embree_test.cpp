@@ -20,14 +20,12 @@ class EmbreeScene {
         : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* p = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                              RTC_FORMAT_FLOAT3, 12,
-                                                              mesh.positions.size()));
+        auto* p = static_cast<float*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size()));
         for (const glm::dvec3& v : mesh.positions)
             for (int axis = 0; axis < 3; ++axis) *p++ = float(v[axis]);
-        auto* t = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
-                                                                 RTC_FORMAT_UINT3, 12,
-                                                                 mesh.triangles.size()));
+        auto* t = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
         for (const glm::uvec3& v : mesh.triangles)
             for (int corner = 0; corner < 3; ++corner) *t++ = v[corner];
         rtcCommitGeometry(geometry);
@@ -86,8 +84,8 @@ TEST(GeomEmbree, SameHitsUpToEdges) {
     std::vector<TestRay> rays;
     for (int i = 0; i < 300000; ++i) {
         const glm::dvec3 origin = random_point(random);
-        const glm::dvec3 aim = i % 2 ? random_direction(random)
-                                     : glm::normalize(0.8 * random_point(random) - origin);
+        const glm::dvec3 aim =
+            i % 2 ? random_direction(random) : glm::normalize(0.8 * random_point(random) - origin);
         rays.push_back({glm::vec3(origin), glm::vec3(aim)});
     }
     const auto hits = rig.nearest(build_trace_probe(), rays);
@@ -107,7 +105,8 @@ TEST(GeomEmbree, SameHitsUpToEdges) {
             continue;
         double weight = 1;
         for (const std::uint32_t p : {ours.primitive, theirs.primitive})
-            if (p != LOBE_NONE) weight = std::min(weight, std::abs(smallest_weight(mesh, p, rays[i])));
+            if (p != LOBE_NONE)
+                weight = std::min(weight, std::abs(smallest_weight(mesh, p, rays[i])));
         unexplained += weight > 1e-4;
     }
     EXPECT_GT(met, 100000u);

@@ -33,7 +33,7 @@ glm::dvec3 normal_of(const PackedScene& packed, std::uint32_t primitive) {
 
 struct Leaving {
     std::vector<LeavingRay> rays;
-    int again = 0;         // met the convex shape from outside, by name or without
+    int again = 0;  // met the convex shape from outside, by name or without
     int again_unnamed = 0;
     float largest_shift = 0;
 };
@@ -58,7 +58,8 @@ Leaving leave_convex(const Program& program, const TraceRig& rig, double extent)
         const double side = glm::dot(n, glm::dvec3(rays[i].direction)) < 0 ? 1 : -1;
         const glm::dvec3 tangent = glm::normalize(glm::cross(n, random_direction(random)));
         const double cosine = i % 2 ? random.uniform() : random.log_uniform(1e-6, 1);
-        ways.emplace_back(glm::normalize(side * cosine * n + std::sqrt(1 - cosine * cosine) * tangent));
+        ways.emplace_back(
+            glm::normalize(side * cosine * n + std::sqrt(1 - cosine * cosine) * tangent));
     }
     Leaving result;
     result.rays = rig.leave(program, rays, ways);
@@ -68,7 +69,8 @@ Leaving leave_convex(const Program& program, const TraceRig& rig, double extent)
             next.push_back(ray.ray);
             result.largest_shift = std::max(result.largest_shift, ray.shift);
         }
-    for (const TestHit& hit : rig.nearest(program, next)) result.again += hit.primitive != LOBE_NONE;
+    for (const TestHit& hit : rig.nearest(program, next))
+        result.again += hit.primitive != LOBE_NONE;
     for (TestRay& ray : next) ray.from = LOBE_NONE;
     for (const TestHit& hit : rig.nearest(program, next))
         result.again_unnamed += hit.primitive != LOBE_NONE;
@@ -107,12 +109,13 @@ TEST(GeomLeave, SpheresDoNotMeetThemselves) {
         for (int i = 0; i < ray_count; ++i) {
             const glm::dvec3 n = random_direction(random);
             const glm::dvec3 from = centre + radius * (n + 0.5 * random_point(random) + 2.0 * n);
-            rays.push_back({glm::vec3(from),
-                            glm::vec3(glm::normalize(centre + radius * n - from))});
+            rays.push_back(
+                {glm::vec3(from), glm::vec3(glm::normalize(centre + radius * n - from))});
             // The device's normal is not known here: keep off the tangent by its rounding.
             const glm::dvec3 tangent = glm::normalize(glm::cross(n, random_direction(random)));
             const double cosine = random.uniform(0.05, 1) * (i % 2 ? 1 : -1);
-            ways.emplace_back(glm::normalize(cosine * n + std::sqrt(1 - cosine * cosine) * tangent));
+            ways.emplace_back(
+                glm::normalize(cosine * n + std::sqrt(1 - cosine * cosine) * tangent));
         }
         const auto leaving = rig.leave(program, rays, ways);
         std::vector<TestRay> next;
@@ -148,8 +151,8 @@ TEST(GeomLeave, NoRayGetsOutOfAClosedMesh) {
             for (int i = 0; i < ray_count; ++i) {  // from the circle within the tube
                 const double angle = random.uniform(0, 6.28318);
                 const glm::dvec3 circle(std::cos(angle), std::sin(angle), 0);
-                rays.push_back({glm::vec3(middle + extent * circle),
-                                glm::vec3(random_direction(random))});
+                rays.push_back(
+                    {glm::vec3(middle + extent * circle), glm::vec3(random_direction(random))});
             }
             for (int bounce = 0; bounce < 8; ++bounce) {
                 const auto hits = rig.nearest(program, rays);
@@ -168,10 +171,11 @@ TEST(GeomLeave, NoRayGetsOutOfAClosedMesh) {
                     ways.emplace_back(
                         glm::normalize(cosine * n + std::sqrt(1 - cosine * cosine) * tangent));
                 }
-                ASSERT_EQ(lost, 0) << "scale " << scale << ", offset " << offset << ", bounce "
-                                   << bounce;
+                ASSERT_EQ(lost, 0)
+                    << "scale " << scale << ", offset " << offset << ", bounce " << bounce;
                 std::vector<TestRay> next;
-                for (const LeavingRay& ray : rig.leave(program, rays, ways)) next.push_back(ray.ray);
+                for (const LeavingRay& ray : rig.leave(program, rays, ways))
+                    next.push_back(ray.ray);
                 rays = next;
             }
         }

@@ -30,7 +30,8 @@ Exact exact_hit(const LobeSphere& sphere, const TestRay& ray) {
     const Long r = sphere.radius, b = -glm::dot(f, d);
     const Long across = glm::length(f + b * d), error = 8 * epsilon * glm::length(f);
     const Long half = std::sqrt(std::max(0.0L, (r - across) * (r + across)));
-    Exact exact{b - half, b + half, 0, across <= r, std::fabs(across - r) > error + 4 * epsilon * r};
+    Exact exact{b - half, b + half, 0, across <= r,
+                std::fabs(across - r) > error + 4 * epsilon * r};
     exact.tolerance = (error + 4 * epsilon * r) * (1 + (half > 0 ? across / half : 0));
     return exact;
 }

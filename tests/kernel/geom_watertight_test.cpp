@@ -76,8 +76,8 @@ std::size_t leaks(const Program& program, const Closed& closed, bool corners, st
     Random random(seed);
     std::vector<TestRay> rays;
     for (std::size_t i = 0; i < count; ++i)
-        rays.push_back(aimed(closed.inside(random),
-                             corners ? closed.corner(random) : closed.on_edge(random)));
+        rays.push_back(
+            aimed(closed.inside(random), corners ? closed.corner(random) : closed.on_edge(random)));
     std::size_t leaked = 0;
     for (const TestHit& hit : rig.nearest(program, rays)) leaked += hit.primitive == LOBE_NONE;
     return leaked;

@@ -42,22 +42,23 @@ class LightRig {
         for (const From& f : from)
             in.insert(in.end(), {f.point.x, f.point.y, f.point.z, f.choice, f.u, f.v});
         Buffer<float> out(d, 8 * from.size());
-        const Program program = build_probe(
-            "probe/light.cl", {{"lobe_scene.h", scene_header(all_features(), {})}});
-        run_probe(program, "light_round_trip", from.size(), Buffer<LobeNode>(d, packed_.bvh.nodes),
-                  Buffer<LobeTriangleLeaf>(d, packed_.bvh.triangle_leaves),
-                  Buffer<LobeSphereLeaf>(d, packed_.bvh.sphere_leaves),
-                  Buffer<LobeTriangle>(d, packed_.triangles), Buffer<LobeVertex>(d, packed_.vertices),
-                  Buffer<LobeSphere>(d, packed_.spheres), Buffer<LobeSurface>(d, packed_.surfaces),
-                  static_cast<cl_uint>(packed_.triangles.size()),
-                  Buffer<LobeLight>(d, packed_.lights.lights),
-                  Buffer<float>(d, packed_.lights.sums),
-                  static_cast<cl_uint>(packed_.lights.lights.size()), static_cast<cl_uint>(on),
-                  Buffer<float>(d, in), out);
+        const Program program =
+            build_probe("probe/light.cl", {{"lobe_scene.h", scene_header(all_features(), {})}});
+        run_probe(
+            program, "light_round_trip", from.size(), Buffer<LobeNode>(d, packed_.bvh.nodes),
+            Buffer<LobeTriangleLeaf>(d, packed_.bvh.triangle_leaves),
+            Buffer<LobeSphereLeaf>(d, packed_.bvh.sphere_leaves),
+            Buffer<LobeTriangle>(d, packed_.triangles), Buffer<LobeVertex>(d, packed_.vertices),
+            Buffer<LobeSphere>(d, packed_.spheres), Buffer<LobeSurface>(d, packed_.surfaces),
+            static_cast<cl_uint>(packed_.triangles.size()),
+            Buffer<LobeLight>(d, packed_.lights.lights), Buffer<float>(d, packed_.lights.sums),
+            static_cast<cl_uint>(packed_.lights.lights.size()), static_cast<cl_uint>(on),
+            Buffer<float>(d, in), out);
         const std::vector<float> n = out.read_all();
         std::vector<Trip> trips;
         for (std::size_t i = 0; i < n.size(); i += 8)
-            trips.push_back({{n[i], n[i + 1], n[i + 2]}, n[i + 3], n[i + 4], n[i + 5], n[i + 6], n[i + 7]});
+            trips.push_back(
+                {{n[i], n[i + 1], n[i + 2]}, n[i + 3], n[i + 4], n[i + 5], n[i + 6], n[i + 7]});
         return trips;
     }
 
@@ -71,12 +72,14 @@ std::vector<From> from_one(const glm::vec3& point, std::uint64_t seed) {
     Random random(seed);
     std::vector<From> all;
     for (int i = 0; i < count; ++i)
-        all.push_back({point, random.uniform_float(), random.uniform_float(), random.uniform_float()});
+        all.push_back(
+            {point, random.uniform_float(), random.uniform_float(), random.uniform_float()});
     return all;
 }
 
 // E[1 / pdf] over samples that have one is the solid angle of what is sampled.
-testing::AssertionResult solid_angle_is(const std::vector<Trip>& trips, double exact, double tests) {
+testing::AssertionResult solid_angle_is(const std::vector<Trip>& trips, double exact,
+                                        double tests) {
     double sum = 0, squares = 0;
     for (const Trip& t : trips) {
         const double value = t.pdf > 0 ? 1 / double(t.pdf) : 0;
@@ -93,7 +96,8 @@ testing::AssertionResult solid_angle_is(const std::vector<Trip>& trips, double e
 
 TEST(LightSampling, SphereConesOfAllWidths) {
     std::uint64_t seed = 10;
-    for (const double angle : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5, 1.0, 1.3962634}) {  // to 80 deg
+    for (const double angle :
+         {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5, 1.0, 1.3962634}) {  // to 80 deg
         Scene scene = small_scene(0.5);
         const double radius = std::sin(angle);
         shine(add(scene, {0.3, -0.4, 1.2}, radius), 2);
@@ -117,13 +121,16 @@ TEST(LightSampling, SphereConesOfAllWidths) {
             ASSERT_NEAR(t.pdf, double(1 / (2 * pi * cone)), 2e-5 * t.pdf) << "angle " << angle;
             EXPECT_EQ(t.radiance, 2);
             off += Long(t.distance) > d;  // the far side
-            off += std::fabs(glm::length(vec3l(point) + Long(t.distance) * w - vec3l(s.x, s.y, s.z)) -
-                             s.radius) > 4e-7L + 1e-3L * s.radius * (v > 0.99L);
+            off +=
+                std::fabs(glm::length(vec3l(point) + Long(t.distance) * w - vec3l(s.x, s.y, s.z)) -
+                          s.radius) > 4e-7L + 1e-3L * s.radius * (v > 0.99L);
             if (t.hit_pdf >= 0) {
                 ++found;
                 ASSERT_NEAR(t.hit_pdf, t.pdf, 1e-5 * t.pdf);
                 // At the rim rounding may turn the normal of a sphere that looks tiny.
-                if (v < 0.99L && angle >= 1e-4) { ASSERT_EQ(t.hit_radiance, 2); }
+                if (v < 0.99L && angle >= 1e-4) {
+                    ASSERT_EQ(t.hit_radiance, 2);
+                }
             }
             const Long turns = std::atan2(glm::dot(w, y), glm::dot(w, x)) / (2 * pi) + 0.5L;
             const int row = std::min(15, int(16 * v)), column = std::min(15, int(16 * turns));
@@ -142,7 +149,8 @@ TEST(LightSampling, SpheresFromInside) {
     Scene scene = small_scene(0.5);
     shine(add(scene, {0.1, 0.2, 0.3}, 2), 3).flipped = true;
     const LightRig rig(scene);
-    for (const glm::dvec3& at : {glm::dvec3(0.1, 0.2, 0.3), glm::dvec3(1, 1, 0), glm::dvec3(2, 0, 0)}) {
+    for (const glm::dvec3& at :
+         {glm::dvec3(0.1, 0.2, 0.3), glm::dvec3(1, 1, 0), glm::dvec3(2, 0, 0)}) {
         const auto trips = rig.trips(from_one(rig.place(at), 3));
         int found = 0;
         for (const Trip& t : trips) {
@@ -170,7 +178,9 @@ TEST(LightSampling, SpheresFromTheirOwnSurface) {
             if (t.pdf == 0) continue;
             ASSERT_NEAR(t.pdf, 1 / (4 * double(pi)), 1e-6);
             // The very tangent apart, what is sampled is met, with the density it was sampled with.
-            if (t.distance > 1e-3) { ASSERT_EQ(t.hit_pdf, t.pdf); }
+            if (t.distance > 1e-3) {
+                ASSERT_EQ(t.hit_pdf, t.pdf);
+            }
         }
         EXPECT_TRUE(solid_angle_is(trips, 2 * double(pi), 30));
     }
@@ -183,7 +193,9 @@ TEST(LightSampling, TrianglesByTheirSolidAngle) {
         Mesh mesh;
         for (int k = 0; k < 3; ++k)
             mesh.positions.push_back(random_point(random) * (i % 3 == 0 ? 0.05 : 1.0));
-        if (i == 1) mesh.positions[2] = 0.5 * (mesh.positions[0] + mesh.positions[1]) + glm::dvec3(0, 1e-4, 0);
+        if (i == 1)
+            mesh.positions[2] =
+                0.5 * (mesh.positions[0] + mesh.positions[1]) + glm::dvec3(0, 1e-4, 0);
         mesh.triangles = {{0, 1, 2}};
         shine(add(scene, mesh), 4, true);
         const LightRig rig(scene);
@@ -194,9 +206,9 @@ TEST(LightSampling, TrianglesByTheirSolidAngle) {
             c[k] = glm::normalize(vec3l(v.px, v.py, v.pz) - vec3l(point));
         }
         // Van Oosterom and Strackee, 1983.
-        const Long exact = 2 * std::atan2(std::fabs(glm::dot(c[0], glm::cross(c[1], c[2]))),
-                                          1 + glm::dot(c[0], c[1]) + glm::dot(c[1], c[2]) +
-                                              glm::dot(c[2], c[0]));
+        const Long exact =
+            2 * std::atan2(std::fabs(glm::dot(c[0], glm::cross(c[1], c[2]))),
+                           1 + glm::dot(c[0], c[1]) + glm::dot(c[1], c[2]) + glm::dot(c[2], c[0]));
         const auto trips = rig.trips(from_one(point, 100 + i));
         int found = 0;
         for (const Trip& t : trips) {
@@ -220,7 +232,9 @@ TEST(LightSampling, TrianglesShineOnOneSide) {
             const bool lit = (z < 5) != flipped;
             for (const Trip& t : rig.trips(from_one(rig.place({0.1, 0.2, z}), 9))) {
                 ASSERT_EQ(t.pdf > 0, lit);
-                if (t.hit_pdf >= 0) { ASSERT_EQ(t.hit_radiance, lit ? 4 : 0); }
+                if (t.hit_pdf >= 0) {
+                    ASSERT_EQ(t.hit_radiance, lit ? 4 : 0);
+                }
             }
         }
     }
@@ -238,7 +252,8 @@ TEST(LightSampling, LightsAreChosenWithExactlyTheirProbability) {
         // At both ends of each light's part of [0, 1), and anywhere.
         std::vector<float> u = {0, 1 - 0x1p-24f};
         for (const float sum : table.sums)
-            for (const float at : {sum - 0x1p-24f, sum}) if (at >= 0 && at < 1) u.push_back(at);
+            for (const float at : {sum - 0x1p-24f, sum})
+                if (at >= 0 && at < 1) u.push_back(at);
         for (int i = 0; i < 10000; ++i) u.push_back(random.uniform_float());
         Buffer<cl_uint> out(test_device(), u.size());
         run_probe(program, "light_choose", u.size(), Buffer<float>(test_device(), table.sums),

@@ -103,14 +103,31 @@ TEST(RngHash, NeighboursAreIndependent) {
     };
     const auto base = along([](std::uint32_t i) { return Address{i, 0, 3}; });
     const std::vector<std::pair<const char*, std::vector<std::array<double, 3>>>> others = {
-        {"next pixel", along([](std::uint32_t i) { return Address{i + 1, 0, 3}; })},
-        {"pixel below", along([](std::uint32_t i) { return Address{i + 640, 0, 3}; })},
-        {"next dimension", along([](std::uint32_t i) { return Address{i, 0, 4}; })},
-        {"same use, next bounce", along([](std::uint32_t i) { return Address{i, 0, 7}; })},
-        {"other replicate", along([](std::uint32_t i) { return Address{i, 1, 3}; })},
-        {"next seed", along([](std::uint32_t i) { return Address{i, 0, 3}; }, 2)},
-        {"seed's upper word", along([](std::uint32_t i) { return Address{i, 0, 3}; },
-                                    0x100000001)},
+        {"next pixel", along([](std::uint32_t i) {
+             return Address{i + 1, 0, 3};
+         })},
+        {"pixel below", along([](std::uint32_t i) {
+             return Address{i + 640, 0, 3};
+         })},
+        {"next dimension", along([](std::uint32_t i) {
+             return Address{i, 0, 4};
+         })},
+        {"same use, next bounce", along([](std::uint32_t i) {
+             return Address{i, 0, 7};
+         })},
+        {"other replicate", along([](std::uint32_t i) {
+             return Address{i, 1, 3};
+         })},
+        {"next seed", along(
+                          [](std::uint32_t i) {
+                              return Address{i, 0, 3};
+                          },
+                          2)},
+        {"seed's upper word", along(
+                                  [](std::uint32_t i) {
+                                      return Address{i, 0, 3};
+                                  },
+                                  0x100000001)},
     };
     const double tests = 3 + 9.0 * others.size() + 3;
     for (int k = 0; k < 3; ++k) {

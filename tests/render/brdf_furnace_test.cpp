@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directional albedos of the glossy models, seen by rendering: a plane under an even sky of radiance
-// 1, at one angle, one reflection. Values: brdf-math.md, section 3 (40-digit arithmetic).
+// Directional albedos of the glossy models, seen by rendering: a plane under an even sky of
+// radiance 1, at one angle, one reflection. Values: brdf-math.md, section 3 (40-digit arithmetic).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -34,7 +34,8 @@ double wall_mean(const std::function<double(double, double)>& irradiance) {
     double sum = 0;
     for (int i = 0; i < steps; ++i)
         for (int k = 0; k < steps; ++k)
-            sum += irradiance(half * (2 * (i + 0.5) / steps - 1), half * (2 * (k + 0.5) / steps - 1));
+            sum +=
+                irradiance(half * (2 * (i + 0.5) / steps - 1), half * (2 * (k + 0.5) / steps - 1));
     return albedo / pi * sum / (double(steps) * steps);
 }
 
@@ -114,8 +115,9 @@ TEST(DirectLight, Triangle) {
         mesh.triangles = {{0, 1, 2}};
         if (flipped) std::swap(mesh.triangles[0].y, mesh.triangles[0].z);
         shine(add(scene, mesh), 5).flipped = flipped;
-        const double exact =
-            5 * wall_mean([](double x, double y) { return polygon_irradiance(on_wall(x, y), triangle); });
+        const double exact = 5 * wall_mean([](double x, double y) {
+                                 return polygon_irradiance(on_wall(x, y), triangle);
+                             });
         const MeanOf front = mean_of(render_picture(scene));
         scene.shapes.back().flipped = !flipped;
         const MeanOf back = mean_of(render_picture(scene));
@@ -132,10 +134,11 @@ TEST(DirectLight, LampsCloseToABoard) {
     Mesh lamp;
     lamp.positions = triangle;
     lamp.triangles = {{0, 1, 2}};
-    const glm::dvec3 normal = glm::normalize(
-        glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
-    const double lit =
-        5 * wall_mean([](double x, double y) { return polygon_irradiance(on_wall(x, y), triangle); });
+    const glm::dvec3 normal =
+        glm::normalize(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
+    const double lit = 5 * wall_mean([](double x, double y) {
+                           return polygon_irradiance(on_wall(x, y), triangle);
+                       });
     for (const double gap : {2e-4, -2e-3}) {  // along the side that looks away from the wall
         Scene scene = wall_scene();
         shine(add(scene, lamp), 5, true);
@@ -190,14 +193,14 @@ TEST(DirectLight, StrategiesAgree) {
     Shape& sky = shine(add(by_both, {0, 0, 0}, 50), 1);
     sky.flipped = true;
     sky.material = 1;
-    EXPECT_TRUE(blocks_agree(render_picture(by_chance, {128}), render_picture(by_both, {128, 2}),
-                             tests));
+    EXPECT_TRUE(
+        blocks_agree(render_picture(by_chance, {128}), render_picture(by_both, {128, 2}), tests));
 
     Scene by_choice = by_chance;
     by_choice.environment.reset();
     Scene by_sphere = by_choice;
     by_choice.point_lights.push_back({{1, 2, 0.5}, glm::vec3(float(0.01 * 0.01 * pi * 900))});
     shine(add(by_sphere, {1, 2, 0.5}, 0.01), 900);
-    EXPECT_TRUE(blocks_agree(render_picture(by_choice, {128}), render_picture(by_sphere, {128, 2}),
-                             tests));
+    EXPECT_TRUE(
+        blocks_agree(render_picture(by_choice, {128}), render_picture(by_sphere, {128, 2}), tests));
 }

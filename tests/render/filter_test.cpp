@@ -56,7 +56,8 @@ TEST(PixelFilter, SlopesKeepTheirMiddle) {
             return sum / 32;
         };
         for (const std::uint32_t x : {4u, 27u})
-            EXPECT_TRUE(agrees(mean_of(picture, 0, Region{x, 0, x + 1, 32}), column(x), tests, 1e-4))
+            EXPECT_TRUE(
+                agrees(mean_of(picture, 0, Region{x, 0, x + 1, 32}), column(x), tests, 1e-4))
                 << name << ", column " << x;
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Closed rooms whose walls all shine alike: after d reflections of albedo a the radiance is the
-// geometric sum of the emission, (1 - a^(d+1)) / (1 - a), wherever one looks and whatever the shape.
+// geometric sum of the emission, (1 - a^(d+1)) / (1 - a), wherever one looks and whatever the
+// shape.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,8 +28,11 @@ struct Room {
     std::uint32_t samples;
 };
 
-const std::vector<Room> rooms = {{"black", 0, 5, 64}, {"grey", 0.5, 3, 64}, {"grey", 0.5, 40, 64},
-                                 {"bright", 0.8, 200, 64}, {"white", 0.99, 3000, 16}};
+const std::vector<Room> rooms = {{"black", 0, 5, 64},
+                                 {"grey", 0.5, 3, 64},
+                                 {"grey", 0.5, 40, 64},
+                                 {"bright", 0.8, 200, 64},
+                                 {"white", 0.99, 3000, 16}};
 
 }  // namespace
 

@@ -23,10 +23,12 @@ class CameraRig {
   public:
     // With all features compiled in, or with those that the scene needs.
     explicit CameraRig(const Scene& scene, bool all = true)
-        : packed_(pack_scene(scene)), filter_(tabulate_filter(scene.filter).nodes),
-          program_(build_probe("probe/camera.cl",
-                               {{"lobe_scene.h",
-                                 scene_header(all ? all_features() : derive_features(scene), {})}})) {}
+        : packed_(pack_scene(scene)),
+          filter_(tabulate_filter(scene.filter).nodes),
+          program_(
+              build_probe("probe/camera.cl",
+                          {{"lobe_scene.h",
+                            scene_header(all ? all_features() : derive_features(scene), {})}})) {}
 
     const PackedScene& packed() const { return packed_; }
 
@@ -42,7 +44,9 @@ class CameraRig {
         const std::vector<float> n = out.read_all();
         std::vector<CameraSample> samples;
         for (std::size_t i = 0; i < n.size(); i += 9)
-            samples.push_back({{n[i], n[i + 1]}, n[i + 2], {n[i + 3], n[i + 4], n[i + 5]},
+            samples.push_back({{n[i], n[i + 1]},
+                               n[i + 2],
+                               {n[i + 3], n[i + 4], n[i + 5]},
                                {n[i + 6], n[i + 7], n[i + 8]}});
         return samples;
     }

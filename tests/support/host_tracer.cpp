@@ -32,7 +32,8 @@ class Tracer {
             if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
                 for (const glm::uvec3& t : mesh->triangles) {
                     const dvec3 a = mesh->positions[t.x];
-                    faces_.push_back({a, mesh->positions[t.y] - a, mesh->positions[t.z] - a, &shape});
+                    faces_.push_back(
+                        {a, mesh->positions[t.y] - a, mesh->positions[t.z] - a, &shape});
                     if (shape.emission) shining_faces_.push_back(faces_.back());
                 }
             } else {
@@ -114,8 +115,8 @@ class Tracer {
             const Face& face = shining_faces_[chosen];
             const double root = std::sqrt(random.uniform()), v = random.uniform();
             const dvec3 across = glm::cross(face.e1, face.e2);
-            on = {0, face.a + root * (1 - v) * face.e1 + root * v * face.e2,
-                  glm::normalize(across), face.shape};
+            on = {0, face.a + root * (1 - v) * face.e1 + root * v * face.e2, glm::normalize(across),
+                  face.shape};
             area = glm::length(across) / 2;
         } else {
             const Shape* shape = shining_spheres_[chosen - shining_faces_.size()];
@@ -130,7 +131,8 @@ class Tracer {
         const dvec3 d = way / distance;
         const double cosine = glm::dot(n, d), other = std::abs(glm::dot(on.normal, d));
         if (cosine <= 0 || nearest(point, d, distance * (1 - 1e-9)).shape) return sum;
-        return sum + emitted(on, d) * (cosine * other / (distance * distance) * area * double(lights));
+        return sum +
+               emitted(on, d) * (cosine * other / (distance * distance) * area * double(lights));
     }
 
     static dvec3 cosine_direction(const dvec3& n, Random& random) {

@@ -15,8 +15,8 @@ constexpr double two_pi = 6.283185307179586;
 Mesh icosahedron() {
     const double g = (1 + std::sqrt(5.0)) / 2;
     Mesh mesh;
-    mesh.positions = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
-                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+    mesh.positions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
     mesh.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
                       {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
                       {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
@@ -90,13 +90,26 @@ Mesh triangle_soup(Random& random, unsigned count) {
         const double size = random.log_uniform(1e-3, 1);
         glm::dvec3 a = c + size * random_point(random), b = c + size * random_point(random);
         switch (random.below(10)) {
-            case 0: b = a + 1e-6 * random_point(random); break;         // a sliver
-            case 1: b = glm::mix(c, a, random.uniform(-1, 2)); break;   // no area, but for rounding
-            case 2: b = c; break;                                       // no area
-            case 3: a.x = b.x = c.x; break;                             // in a plane x = constant
-            case 4: a.z = b.z = c.z; break;
-            case 5: a = random_point(random), b = random_point(random); break;  // huge
-            default: break;
+            case 0:
+                b = a + 1e-6 * random_point(random);
+                break;  // a sliver
+            case 1:
+                b = glm::mix(c, a, random.uniform(-1, 2));
+                break;  // no area, but for rounding
+            case 2:
+                b = c;
+                break;  // no area
+            case 3:
+                a.x = b.x = c.x;
+                break;  // in a plane x = constant
+            case 4:
+                a.z = b.z = c.z;
+                break;
+            case 5:
+                a = random_point(random), b = random_point(random);
+                break;  // huge
+            default:
+                break;
         }
         const auto first = static_cast<unsigned>(mesh.positions.size());
         for (const glm::dvec3& p : {c, a, b}) mesh.positions.push_back(glm::clamp(p, -1.0, 1.0));

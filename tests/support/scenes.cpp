@@ -47,8 +47,8 @@ Mesh wall(double distance, double half) {
 
 void look(Scene& scene, const glm::dvec3& eye, const glm::dvec3& target) {
     const glm::dvec3 way = target - eye;
-    const glm::dvec3 up = std::abs(way.y) > 0.9 * glm::length(way) ? glm::dvec3(0, 0, 1)
-                                                                   : glm::dvec3(0, 1, 0);
+    const glm::dvec3 up =
+        std::abs(way.y) > 0.9 * glm::length(way) ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
     scene.camera.camera_to_world = glm::inverse(*look_at(eye, target, up));
 }
 

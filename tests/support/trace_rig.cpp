@@ -66,8 +66,8 @@ TraceRig::TraceRig(const Mesh& mesh, const std::vector<Sphere>& spheres) {
         packed_.vertices.push_back({float(p.x), float(p.y), float(p.z), 0, 0, 0, 0, 0});
     for (const glm::uvec3& t : mesh.triangles) packed_.triangles.push_back({t.x, t.y, t.z, 0});
     for (const Sphere& s : spheres)
-        packed_.spheres.push_back({float(s.centre.x), float(s.centre.y), float(s.centre.z),
-                                   float(s.radius), 0, 0, 0, 0});
+        packed_.spheres.push_back(
+            {float(s.centre.x), float(s.centre.y), float(s.centre.z), float(s.radius), 0, 0, 0, 0});
     packed_.bvh = build_bvh(packed_.triangles, packed_.vertices, packed_.spheres);
     upload();
 }

@@ -35,8 +35,8 @@ TEST(BuildFilter, ValuesAreTheFilters) {
 }
 
 TEST(BuildFilter, TablesRunFromTheEdgeToTheMiddle) {
-    for (const FilterKind kind : {FilterKind::box, FilterKind::triangle, FilterKind::gaussian,
-                                  FilterKind::mitchell}) {
+    for (const FilterKind kind :
+         {FilterKind::box, FilterKind::triangle, FilterKind::gaussian, FilterKind::mitchell}) {
         const FilterTable table = tabulate_filter({kind, 2, 3});
         ASSERT_EQ(table.nodes.size(), 2u * LOBE_FILTER_NODES);
         for (int axis = 0; axis < 2; ++axis) {

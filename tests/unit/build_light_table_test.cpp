@@ -30,7 +30,9 @@ void expect_sound(const std::vector<double>& powers) {
         ASSERT_EQ(grains, std::floor(grains)) << "light " << i;
         ASSERT_EQ(table.sums[i] - before, p) << "light " << i;
         ASSERT_GE(grains, powers[i] > 0 ? 1 : 0) << "light " << i;
-        if (powers[i] == 0) { ASSERT_EQ(p, 0) << "light " << i; }
+        if (powers[i] == 0) {
+            ASSERT_EQ(p, 0) << "light " << i;
+        }
         // One grain each, a rounding at either end, and the share of the grains given so.
         const double slack = std::ldexp(2.5 + double(powers.size()) * powers[i] / total, -24);
         ASSERT_NEAR(p, powers[i] / total, slack) << "light " << i;

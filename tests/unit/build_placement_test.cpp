@@ -22,16 +22,17 @@ TEST(BuildPlacement, EverythingLiesWithinTheUnitCube) {
         for (glm::dvec3& p : mesh.positions) p = size * p + offset;
         add(scene, mesh);
         add(scene, offset + size * random_point(random), size * random.uniform());
-        scene.camera.camera_to_world[3] =
-            glm::dvec4(offset + 5.0 * size * random_point(random), 1);
+        scene.camera.camera_to_world[3] = glm::dvec4(offset + 5.0 * size * random_point(random), 1);
         const PackedScene packed = pack_scene(scene);
         int exponent = 0;
         EXPECT_EQ(std::frexp(packed.placement.scale, &exponent), 0.5) << "a power of two";
+        EXPECT_LT(glm::length(packed.placement.centre - offset), 2 * size) << "in the middle";
         float largest = 0;
         for (const LobeVertex& v : packed.vertices)
             for (const float c : {v.px, v.py, v.pz}) largest = std::max(largest, std::abs(c));
         for (const LobeSphere& s : packed.spheres)
-            for (const float c : {s.x, s.y, s.z}) largest = std::max(largest, std::abs(c) + s.radius);
+            for (const float c : {s.x, s.y, s.z})
+                largest = std::max(largest, std::abs(c) + s.radius);
         for (const float c : {packed.frame.eye_x, packed.frame.eye_y, packed.frame.eye_z})
             largest = std::max(largest, std::abs(c));
         EXPECT_LE(largest, 1.0000001f);

@@ -15,7 +15,8 @@ using namespace lobe::test;
 namespace {
 
 // Independent grey samples of a given mean and standard deviation, as the kernel would sum them.
-Film noisy_film(std::uint32_t side, std::uint32_t samples, double level, double sd, Random& random) {
+Film noisy_film(std::uint32_t side, std::uint32_t samples, double level, double sd,
+                Random& random) {
     Film film(side, side);
     for (std::uint32_t first = 0; first < samples; first += LOBE_BLOCK) {
         const std::uint32_t count = std::min<std::uint32_t>(LOBE_BLOCK, samples - first);
@@ -88,7 +89,8 @@ TEST(ReportEstimate, LightsAreMasked) {
         for (LobeBlockSum& s : sums) s.r = s.g = s.b = float(random.uniform(2, 3));
         plain.add_block(sums, LOBE_BLOCK);
         if (i == 2)  // one sample of one block saw it
-            for (std::size_t k = 0; k < LOBE_REPLICATES; ++k) sums[7 * LOBE_REPLICATES + k].r = 1e6f;
+            for (std::size_t k = 0; k < LOBE_REPLICATES; ++k)
+                sums[7 * LOBE_REPLICATES + k].r = 1e6f;
         if (i == 2) sums[7 * LOBE_REPLICATES].emitter = 1;
         film.add_block(sums, LOBE_BLOCK);
     }
