@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Loop's subdivision surface of a closed triangle mesh, and what must hold of a mesh worth keeping.
 
 Points are (x, y, z) tuples, triangles (a, b, c) tuples of indices, outward by the right-hand rule.
