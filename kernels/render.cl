@@ -68,15 +68,18 @@ kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
     uint2 pixel = (uint2)(frame->window_x + x, frame->window_y + frame->first_row + y);
     uint number = pixel.y * frame->film_width + pixel.x;
     LobeBlockSum sum[LOBE_REPLICATES] = {{0, 0, 0, 0}};
-    for (uint sample = frame->first_sample; sample < frame->first_sample + frame->samples; ++sample) {
+    for (uint sample = frame->first_sample; sample < frame->first_sample + frame->samples;
+         ++sample) {
         Sampler sampler = make_sampler((uint2)(frame->seed0, frame->seed1), number, sample);
         real weight;
-        real2 film = film_point(frame, filter, pixel, sobol_numbers(&sampler, DIMENSION_FILTER),
-                                &weight);
+        real2 film =
+            film_point(frame, filter, pixel, sobol_numbers(&sampler, DIMENSION_FILTER), &weight);
         real2 lens = LOBE_HAS_THIN_LENS ? sobol_numbers(&sampler, DIMENSION_LENS) : (real2)(0);
         int emitter;
-        real3 radiance = trace_path(&scene, frame, camera_ray(frame, film, lens), &sampler, &emitter);
-        add_sample(&sum[sample % LOBE_REPLICATES], radiance, weight, emitter, status, number, sample);
+        real3 radiance =
+            trace_path(&scene, frame, camera_ray(frame, film, lens), &sampler, &emitter);
+        add_sample(&sum[sample % LOBE_REPLICATES], radiance, weight, emitter, status, number,
+                   sample);
     }
     ulong out = ((ulong)y * frame->window_width + x) * LOBE_REPLICATES;
     for (uint i = 0; i < LOBE_REPLICATES; ++i) sums[out + i] = sum[i];

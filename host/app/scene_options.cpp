@@ -40,6 +40,8 @@ void set_resolution(const std::string& text, FilmSettings& film) {
     for (double size : v)
         if (size < 1 || size > 1e6 || size != static_cast<std::uint32_t>(size))
             throw bad_option("--resolution", text, hint);
+    if (v[0] * v[1] > 0xffffffffu)
+        throw bad_option("--resolution", text, "a film has at most 2^32 pixels");
     film.width = static_cast<std::uint32_t>(v[0]);
     film.height = static_cast<std::uint32_t>(v[1]);
 }

@@ -85,9 +85,9 @@ class Layout {
         const unsigned node = add_node();
         for (unsigned i = 0; i < branch.count; ++i) {
             const TreeNode* child = branch.children[i];
-            const unsigned reference = child->leaf
-                                           ? add_leaf(static_cast<const TreeLeaf&>(*child), depth)
-                                           : add_branch(static_cast<const TreeBranch&>(*child), depth + 1);
+            const unsigned reference =
+                child->leaf ? add_leaf(static_cast<const TreeLeaf&>(*child), depth)
+                            : add_branch(static_cast<const TreeBranch&>(*child), depth + 1);
             set_child(node, i, branch.bounds[i], reference);
         }
         return node;
@@ -105,7 +105,8 @@ class Layout {
         const unsigned node = add_node();
         const auto [triangles, spheres] = split(leaf);
         unsigned lane = 0;
-        if (!triangles.empty()) set_child(node, lane++, around(triangles), add_triangles(triangles));
+        if (!triangles.empty())
+            set_child(node, lane++, around(triangles), add_triangles(triangles));
         if (!spheres.empty()) set_child(node, lane++, around(spheres), add_spheres(spheres));
         return node;
     }
@@ -116,7 +117,8 @@ class Layout {
             const unsigned p = leaf.primitives[i];
             (p < triangles_.size() ? kinds.first : kinds.second).push_back(p);
         }
-        // The builder's threads may hand primitives over in any order: the layout must not depend on it.
+        // The builder's threads may hand primitives over in any order: the layout must not depend
+        // on it.
         std::sort(kinds.first.begin(), kinds.first.end());
         std::sort(kinds.second.begin(), kinds.second.end());
         return kinds;

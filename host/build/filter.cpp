@@ -16,7 +16,8 @@ double mitchell(double x, double b, double c) {
     if (x >= 2) return 0;
     if (x > 1)
         return ((-b - 6 * c) * x * x * x + (6 * b + 30 * c) * x * x + (-12 * b - 48 * c) * x +
-                (8 * b + 24 * c)) / 6;
+                (8 * b + 24 * c)) /
+               6;
     return ((12 - 9 * b - 6 * c) * x * x * x + (-18 + 12 * b + 6 * c) * x * x + (6 - 2 * b)) / 6;
 }
 
@@ -64,8 +65,8 @@ double filter_value(const Filter& filter, double radius, double offset) {
         case FilterKind::triangle:
             return radius - x;
         case FilterKind::gaussian:
-            return std::max(0.0, std::exp(-filter.alpha * x * x) -
-                                     std::exp(-filter.alpha * radius * radius));
+            return std::max(
+                0.0, std::exp(-filter.alpha * x * x) - std::exp(-filter.alpha * radius * radius));
         case FilterKind::mitchell:
             return mitchell(2 * x / radius, filter.b, filter.c);
     }

@@ -9,8 +9,8 @@
 namespace lobe {
 
 struct FilterTable {
-    // LOBE_FILTER_NODES of x, then of y: node i is the offset, in half widths, within which the part
-    // 1 - v^2 of the integral of |f| lies, v = i / (LOBE_FILTER_NODES - 1)
+    // LOBE_FILTER_NODES of x, then of y: node i is the offset, in half widths, within which the
+    // part 1 - v^2 of the integral of |f| lies, v = i / (LOBE_FILTER_NODES - 1)
     std::vector<float> nodes;
     double negative_x, negative_y;  // part of that integral from which f is negative, or infinity
     double weight;                  // of every sample: integral of |f| over integral of f

@@ -33,9 +33,10 @@ class Packer {
     void pack_materials() {
         for (const Material& material : scene_.materials) {
             const auto& models = packed_.models;
-            const auto model = std::find(models.begin(), models.end(), material.brdf) - models.begin();
-            packed_.materials.push_back({static_cast<LobeUint>(model),
-                                         static_cast<LobeUint>(packed_.rows.size()), 0, 0});
+            const auto model =
+                std::find(models.begin(), models.end(), material.brdf) - models.begin();
+            packed_.materials.push_back(
+                {static_cast<LobeUint>(model), static_cast<LobeUint>(packed_.rows.size()), 0, 0});
             for (const auto& row : material.rows)
                 packed_.rows.push_back({row[0], row[1], row[2], row[3]});
         }
@@ -46,7 +47,8 @@ class Packer {
         surface.material = shape.material;
         surface.first_light = shape.emission ? static_cast<LobeUint>(lights_.size()) : LOBE_NONE;
         surface.first_primitive = static_cast<LobeUint>(first_primitive);
-        surface.flags = (normals ? LOBE_SURFACE_NORMALS : 0) | (shape.flipped ? LOBE_SURFACE_FLIPPED : 0);
+        surface.flags =
+            (normals ? LOBE_SURFACE_NORMALS : 0) | (shape.flipped ? LOBE_SURFACE_FLIPPED : 0);
         packed_.surfaces.push_back(surface);
         return static_cast<LobeUint>(packed_.surfaces.size() - 1);
     }
@@ -57,7 +59,8 @@ class Packer {
         auto& triangles = packed_.triangles;
         if (vertices.size() + mesh.positions.size() >= LOBE_NONE ||
             triangles.size() + mesh.triangles.size() >= LOBE_NONE)
-            throw Error(ExitCode::scene, "the scene has more than 2^32 vertices or triangles", shape.where);
+            throw Error(ExitCode::scene, "the scene has more than 2^32 vertices or triangles",
+                        shape.where);
         const auto first = static_cast<LobeUint>(vertices.size());
         const LobeUint surface = add_surface(shape, triangles.size(), !mesh.normals.empty());
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {

@@ -19,8 +19,8 @@ void store(const glm::dvec3& v, float& x, float& y, float& z) {
 // pbrt's rule: the pixels whose corner lies in the crop window, rounded up at both ends.
 void pack_film(const FilmSettings& film, LobeFrame& frame) {
     if (static_cast<std::uint64_t>(film.width) * film.height > 0xffffffffull)
-        throw Error(ExitCode::scene, "the film has more than 2^32 pixels",
-                    "", "choose a smaller --resolution");
+        throw Error(ExitCode::scene, "the film has more than 2^32 pixels", "",
+                    "choose a smaller --resolution");
     const auto corner = [](double fraction, std::uint32_t size) {
         return static_cast<std::uint32_t>(std::ceil(std::clamp(fraction, 0.0, 1.0) * size));
     };
@@ -51,8 +51,10 @@ void pack_camera(const Scene& scene, const Placement& placement, LobeFrame& fram
     const auto [left, right, bottom, top] = screen_of(scene);
     const double plane = 1 / std::tan(scene.camera.fov * glm::pi<double>() / 360);
     const glm::dvec3 corner = turn * glm::dvec3(left, top, plane) / (unit * plane);
-    const glm::dvec3 dx = turn * glm::dvec3((right - left) / scene.film.width, 0, 0) / (unit * plane);
-    const glm::dvec3 dy = turn * glm::dvec3(0, (bottom - top) / scene.film.height, 0) / (unit * plane);
+    const glm::dvec3 dx =
+        turn * glm::dvec3((right - left) / scene.film.width, 0, 0) / (unit * plane);
+    const glm::dvec3 dy =
+        turn * glm::dvec3(0, (bottom - top) / scene.film.height, 0) / (unit * plane);
     store(placement.point(glm::dvec3(to_world[3])), frame.eye_x, frame.eye_y, frame.eye_z);
     store(corner, frame.corner_x, frame.corner_y, frame.corner_z);
     store(dx, frame.dx_x, frame.dx_y, frame.dx_z);

@@ -30,7 +30,6 @@ void Film::add_block(const std::vector<LobeBlockSum>& sums, std::uint32_t sample
     if (level == levels_.size()) levels_.emplace_back();
     levels_[level] = std::move(carry);
     samples_ += samples;
-    ++blocks_;
 }
 
 FilmSums Film::sums() const {

@@ -31,13 +31,20 @@ class Film {
     // of a render may have fewer than LOBE_BLOCK samples.
     void add_block(const std::vector<LobeBlockSum>& sums, std::uint32_t samples);
 
+    // Says that the block just added lacks some rows: a first look that was interrupted. Its errors
+    // are then unknown.
+    void mark_incomplete() { complete_ = false; }
+    bool complete() const { return complete_; }
+
     // The tree's open subtrees added up from the youngest to the oldest.
     FilmSums sums() const;
 
   private:
     std::uint32_t width_, height_;
-    std::uint64_t samples_ = 0, blocks_ = 0;
-    std::vector<std::vector<double>> levels_;  // levels_[k]: a complete subtree of 2^k blocks, or empty
+    std::uint64_t samples_ = 0;
+    bool complete_ = true;
+    std::vector<std::vector<double>>
+        levels_;  // levels_[k]: a complete subtree of 2^k blocks, or empty
     std::vector<std::uint32_t> emitters_;
 };
 

@@ -13,7 +13,9 @@ namespace {
 class LaunchSize {
   public:
     LaunchSize(const Session& session, const RenderPlan& plan)
-        : grain_(session.row_grain()), most_(session.max_rows()), seconds_(plan.launch_seconds),
+        : grain_(session.row_grain()),
+          most_(session.max_rows()),
+          seconds_(plan.launch_seconds),
           fixed_(plan.rows_per_launch) {
         // The first launch may carry the compilation: small, and its time is not counted.
         rows_ = std::clamp(grain_, 1u, most_);
@@ -36,42 +38,69 @@ class LaunchSize {
     unsigned launches_ = 0;
 };
 
+// One render in the making: what its blocks share.
+struct Work {
+    Session& session;
+    const RenderPlan& plan;
+    const std::function<void(const RenderProgress&)>& progress;
+    const std::function<bool()>& stop;
+    LaunchSize size;
+    std::vector<LobeBlockSum> sums;
+    RenderOutcome outcome;
+
+    void report(double rows, std::uint32_t first, std::uint32_t samples, bool block_ended) {
+        if (!progress) return;
+        const double width = session.width(), height = session.height();
+        progress({width * (height * first + rows * samples), width * height * plan.samples,
+                  outcome.film, block_ended});
+    }
+
+    // Samples [first, first + samples) of all rows, or of those before a stop. Returns how many
+    // rows.
+    std::uint32_t render_block(std::uint32_t first, std::uint32_t samples) {
+        const std::size_t row_sums = static_cast<std::size_t>(session.width()) * LOBE_REPLICATES;
+        std::uint32_t row = 0;
+        while (row < session.height()) {
+            outcome.stopped = stop && stop();
+            if (outcome.stopped) break;
+            const std::uint32_t rows = std::min(size.rows(), session.height() - row);
+            const Stopwatch launch;
+            session.render_rows(first, samples, row, rows, sums.data() + row * row_sums);
+            size.took(rows, samples, launch.seconds());
+            row += rows;
+            if (row < session.height()) report(row, first, samples, false);
+        }
+        return row;
+    }
+};
+
 }  // namespace
 
 RenderOutcome render(Session& session, const RenderPlan& plan,
                      const std::function<void(const RenderProgress&)>& progress,
                      const std::function<bool()>& stop) {
     const Stopwatch watch;
-    const std::uint32_t width = session.width(), height = session.height();
-    RenderOutcome outcome{Film(width, height)};
-    std::vector<LobeBlockSum> block(static_cast<std::size_t>(width) * height * LOBE_REPLICATES);
-    LaunchSize size(session, plan);
-    const double total = static_cast<double>(width) * height * plan.samples;
-
-    for (std::uint32_t first = 0; first < plan.samples && !outcome.stopped; first += LOBE_BLOCK) {
+    const std::size_t pixels = static_cast<std::size_t>(session.width()) * session.height();
+    Work work{session,
+              plan,
+              progress,
+              stop,
+              LaunchSize(session, plan),
+              std::vector<LobeBlockSum>(pixels * LOBE_REPLICATES),
+              RenderOutcome{Film(session.width(), session.height())}};
+    Film& film = work.outcome.film;
+    for (std::uint32_t first = 0; first < plan.samples && !work.outcome.stopped;
+         first += LOBE_BLOCK) {
         const std::uint32_t samples = std::min<std::uint32_t>(LOBE_BLOCK, plan.samples - first);
-        std::uint32_t row = 0;
-        while (row < height) {
-            if (stop && stop()) {
-                outcome.stopped = true;
-                break;
-            }
-            const std::uint32_t rows = std::min(size.rows(), height - row);
-            const Stopwatch launch;
-            session.render_rows(first, samples, row, rows,
-                                block.data() + static_cast<std::size_t>(row) * width * LOBE_REPLICATES);
-            size.took(rows, samples, launch.seconds());
-            row += rows;
-            const double done = static_cast<double>(width) * (static_cast<double>(height) * first +
-                                                              static_cast<double>(row) * samples);
-            if (progress && row < height) progress({done, total, outcome.film, false});
-        }
-        if (row == height || (first == 0 && row > 0)) outcome.film.add_block(block, samples);
-        if (progress && row == height)
-            progress({static_cast<double>(width) * height * (first + samples), total, outcome.film, true});
+        const std::uint32_t rows = work.render_block(first, samples);
+        const bool whole = rows == session.height();
+        if (!whole && (first > 0 || rows == 0)) break;  // the film ends at the last whole block
+        film.add_block(work.sums, samples);
+        if (!whole) film.mark_incomplete();
+        if (whole) work.report(rows, first, samples, true);
     }
-    outcome.seconds = watch.seconds();
-    return outcome;
+    work.outcome.seconds = watch.seconds();
+    return std::move(work.outcome);
 }
 
 }  // namespace lobe

@@ -10,9 +10,9 @@
 namespace lobe {
 
 struct RenderPlan {
-    std::uint32_t samples = 16;           // per pixel
-    std::uint32_t rows_per_launch = 0;    // 0: chosen by the clock; any gives the same bits
-    double launch_seconds = 0.2;          // aim of that choice: how long a signal may wait
+    std::uint32_t samples = 16;         // per pixel
+    std::uint32_t rows_per_launch = 0;  // 0: chosen by the clock; any gives the same bits
+    double launch_seconds = 0.2;        // aim of that choice: how long a signal may wait
 };
 
 struct RenderProgress {
@@ -28,8 +28,8 @@ struct RenderOutcome {
 };
 
 // Renders until the plan is done or `stop()` says so. Then the film ends at a block's border; only
-// if not even the first block is complete does it hold that part of it that is (missing rows are 0),
-// or nothing.
+// if not even the first block is complete does it hold that part of it that is (missing rows are
+// 0), or nothing.
 RenderOutcome render(Session& session, const RenderPlan& plan,
                      const std::function<void(const RenderProgress&)>& progress = {},
                      const std::function<bool()>& stop = {});

@@ -81,8 +81,8 @@ Session::~Session() = default;
 void Session::upload(const PackedScene& scene) {
     const Stopwatch watch;
     const std::size_t row_sums = static_cast<std::size_t>(width()) * LOBE_REPLICATES;
-    const std::size_t limit = std::min<std::size_t>(
-        sums_bytes, device_.info().largest_allocation) / (row_sums * sizeof(LobeBlockSum));
+    const std::size_t limit = std::min<std::size_t>(sums_bytes, device_.info().largest_allocation) /
+                              (row_sums * sizeof(LobeBlockSum));
     max_rows_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(limit, 1, height()));
     max_rows_ = std::min(max_rows_, grid_limit);
     if (width() > grid_limit)
@@ -92,8 +92,8 @@ void Session::upload(const PackedScene& scene) {
     prepare_materials(scene.materials.size());
     Buffers& b = *buffers_;
     set_args(render_, b.frame, b.nodes, b.triangle_leaves, b.sphere_leaves, b.triangles, b.vertices,
-             b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_sums, b.filter, b.sums,
-             b.status);
+             b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_sums, b.filter,
+             b.sums, b.status);
     upload_seconds_ = watch.seconds();
 }
 
@@ -111,15 +111,16 @@ void Session::set_seed(std::uint64_t seed) {
     frame_.seed1 = static_cast<LobeUint>(seed >> 32);
 }
 
-void Session::render_rows(std::uint32_t first_sample, std::uint32_t samples, std::uint32_t first_row,
-                          std::uint32_t rows, LobeBlockSum* sums) {
+void Session::render_rows(std::uint32_t first_sample, std::uint32_t samples,
+                          std::uint32_t first_row, std::uint32_t rows, LobeBlockSum* sums) {
     frame_.first_sample = first_sample;
     frame_.samples = samples;
     frame_.first_row = first_row;
     frame_.rows = rows;
     buffers_->frame.write(&frame_, 1);
     const auto [x, y] = options_.local;
-    launch(device_, render_, cl::NDRange(round_up(width(), x), round_up(rows, y)), cl::NDRange(x, y));
+    launch(device_, render_, cl::NDRange(round_up(width(), x), round_up(rows, y)),
+           cl::NDRange(x, y));
     buffers_->sums.read(sums, static_cast<std::size_t>(rows) * width() * LOBE_REPLICATES);
 }
 

@@ -17,7 +17,7 @@ namespace lobe {
 class KernelText;
 
 struct SessionOptions {
-    bool double_precision = false;      // the oracle build
+    bool double_precision = false;        // the oracle build
     std::array<unsigned, 2> local{8, 8};  // work-group: any gives the same bits
 };
 

@@ -48,7 +48,7 @@ Estimate estimate(const Film& film) {
     const double samples = static_cast<double>(e.samples);
     const auto sizes = replicate_sizes(e.samples);
     for (double size : sizes) e.replicates += size > 0;
-    const bool known = e.replicates == LOBE_REPLICATES;
+    const bool known = film.complete() && e.replicates == LOBE_REPLICATES;
     if (known) e.standard_error.resize(film.pixels() * 3);
 
     double luminance_sum = 0, variance_sum = 0;

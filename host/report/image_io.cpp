@@ -36,15 +36,17 @@ struct ImageIo::Module {
     }
 };
 
-ImageIo::ImageIo() : opening_(std::async(std::launch::async, [] { return std::make_unique<Module>(); })) {}
+ImageIo::ImageIo()
+    : opening_(std::async(std::launch::async, [] { return std::make_unique<Module>(); })) {}
 
 ImageIo::~ImageIo() = default;
 
 ImageIo::Module& ImageIo::module() {
     if (!module_) module_ = opening_.get();
     if (!module_->write || !module_->read)
-        throw Error(ExitCode::output, "the image module lobe_image.so cannot be opened: " + module_->error,
-                    "", "it belongs beside the program, and OpenImageIO must be installed");
+        throw Error(ExitCode::output,
+                    "the image module lobe_image.so cannot be opened: " + module_->error, "",
+                    "it belongs beside the program, and OpenImageIO must be installed");
     return *module_;
 }
 
@@ -64,7 +66,8 @@ namespace {
 void compare(const ImageFile& wanted, const ImageFile& found, const std::string& path) {
     const std::size_t pixels = static_cast<std::size_t>(wanted.width) * wanted.height;
     const std::size_t n = wanted.channels.size();
-    bool same = found.width == wanted.width && found.height == wanted.height && found.channels.size() == n;
+    bool same =
+        found.width == wanted.width && found.height == wanted.height && found.channels.size() == n;
     for (std::size_t c = 0; same && c < n; ++c) {
         const auto at = std::find(found.channels.begin(), found.channels.end(), wanted.channels[c]);
         if (at == found.channels.end()) {
@@ -89,7 +92,8 @@ void ImageIo::write(const std::string& path, const ImageFile& image) {
     if (!error.empty()) throw Error(ExitCode::output, "cannot write the picture: " + error, path);
     ImageFile back;
     module().read(file.temporary().c_str(), back, error);
-    if (!error.empty()) throw Error(ExitCode::output, "the written picture cannot be read: " + error, path);
+    if (!error.empty())
+        throw Error(ExitCode::output, "the written picture cannot be read: " + error, path);
     compare(image, back, path);
     file.commit();
 }

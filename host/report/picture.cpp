@@ -17,7 +17,8 @@ ImageFile float_picture(const Estimate& picture, const PictureFacts& facts) {
     file.attributes = facts.attributes;
     file.channels = {"R", "G", "B"};
     const bool errors = !picture.standard_error.empty();
-    if (errors) file.channels.insert(file.channels.end(), {"StdError.R", "StdError.G", "StdError.B"});
+    if (errors)
+        file.channels.insert(file.channels.end(), {"StdError.R", "StdError.G", "StdError.B"});
     file.pixels.reserve(picture.rgb.size() * (errors ? 2 : 1));
     for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
         file.pixels.insert(file.pixels.end(), &picture.rgb[i], &picture.rgb[i] + 3);

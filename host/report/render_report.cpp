@@ -10,9 +10,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double two_sided_95 = 1.959963984540054;  // pixels times (K - 1) degrees of freedom: normal
+constexpr double two_sided_95 =
+    1.959963984540054;  // pixels times (K - 1) degrees of freedom: normal
 
-Json optional_number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json optional_number(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
 
 Json error_json(const Estimate& e) {
     Json ci = nullptr;
@@ -30,17 +33,20 @@ Json error_json(const Estimate& e) {
 
 Json features_json(const RenderReport& r) {
     Json in = Json::array(), out = Json::array();
-    for (const FeatureState& f : r.features) (f.in ? in : out).push_back({{"name", f.name}, {"reason", f.reason}});
+    for (const FeatureState& f : r.features)
+        (f.in ? in : out).push_back({{"name", f.name}, {"reason", f.reason}});
     return {{"in", in}, {"out", out}, {"brdfs", r.models}};
 }
 
 Json seconds_json(const RenderTimes& t) {
-    return {{"parse_s", t.parse},   {"bvh_s", t.bvh},       {"compile_s", t.compile}, {"upload_s", t.upload},
-            {"render_s", t.render}, {"write_s", t.write}, {"total_s", t.total}};
+    return {{"parse_s", t.parse},   {"bvh_s", t.bvh},       {"compile_s", t.compile},
+            {"upload_s", t.upload}, {"render_s", t.render}, {"write_s", t.write},
+            {"total_s", t.total}};
 }
 
 double samples_per_second(const RenderReport& r) {
-    const double samples = static_cast<double>(r.width) * r.height * static_cast<double>(r.picture.samples);
+    const double samples =
+        static_cast<double>(r.width) * r.height * static_cast<double>(r.picture.samples);
     return r.seconds.render > 0 ? samples / r.seconds.render : 0;
 }
 
@@ -76,14 +82,17 @@ std::string to_text(const RenderReport& r) {
     char line[512];
     std::string text;
     for (const std::string& output : r.outputs) text += "picture  " + output + "\n";
-    std::snprintf(line, sizeof line, "error    %s relative standard error at %llu samples a pixel%s\n",
+    std::snprintf(line, sizeof line,
+                  "error    %s relative standard error at %llu samples a pixel%s\n",
                   error_text(r.picture).c_str(), static_cast<unsigned long long>(r.picture.samples),
                   r.partial ? " (stopped early)" : "");
     text += line;
     std::snprintf(line, sizeof line,
-                  "time     %.2f s: parse %.2f, bvh %.2f, compile %.2f, upload %.2f, render %.2f (%s/s), write %.2f\n",
-                  r.seconds.total, r.seconds.parse, r.seconds.bvh, r.seconds.compile, r.seconds.upload,
-                  r.seconds.render, amount_text(samples_per_second(r), "samples").c_str(), r.seconds.write);
+                  "time     %.2f s: parse %.2f, bvh %.2f, compile %.2f, upload %.2f, render %.2f "
+                  "(%s/s), write %.2f\n",
+                  r.seconds.total, r.seconds.parse, r.seconds.bvh, r.seconds.compile,
+                  r.seconds.upload, r.seconds.render,
+                  amount_text(samples_per_second(r), "samples").c_str(), r.seconds.write);
     text += line;
     text += "device   " + r.device.name + "\n";
     text += "hash     " + r.hash + "\n";

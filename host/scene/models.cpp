@@ -96,16 +96,20 @@ MaterialRows read_model(Parameters& parameters, const BrdfTable& table) {
     return rows;
 }
 
+// The model that --replace names.
+static const BrdfTable& replacement(const ReadContext& context, const std::string& name) {
+    if (const BrdfTable* const table = find_plain(context.models, name)) return *table;
+    throw Error(ExitCode::usage, "--replace names an unknown model '" + name + "'", "",
+                suggestion(name, model_names(context.models)));
+}
+
 void replace_model(Material& material, const ReadContext& context, const Place& place) {
     const auto& pairs = context.options.replace;
     const auto pair = std::find_if(pairs.begin(), pairs.end(), [&](const auto& candidate) {
         return candidate.first == material.type;
     });
     if (pair == pairs.end()) return;
-    const BrdfTable* const table = find_plain(context.models, pair->second);
-    if (!table)
-        throw Error(ExitCode::usage, "--replace names an unknown model '" + pair->second + "'", "",
-                    suggestion(pair->second, model_names(context.models)));
+    const BrdfTable* const table = &replacement(context, pair->second);
     const BrdfTable& old = model_table(context, material.brdf);
     if (old.find("kd") < 0)
         fail(place,
@@ -131,6 +135,7 @@ void replace_model(Material& material, const ReadContext& context, const Place& 
 
 void check_replacements(const ReadContext& context) {
     for (const auto& pair : context.options.replace) {
+        replacement(context, pair.second);
         const auto& materials = context.scene.materials;
         const bool found = std::any_of(materials.begin(), materials.end(),
                                        [&](const Material& m) { return m.type == pair.first; });

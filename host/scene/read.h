@@ -14,7 +14,8 @@ struct ReadOptions {
     Dialect dialect = Dialect::automatic;
     bool lenient = false;  // unknown directives, types and parameters warn instead of failing
     // `--replace TYPE=MODEL`: materials that the scene file calls TYPE take this model in place of
-    // their own. From plastic: kd = Kd / pi, ks = Ks, n = replace_n; from matte: kd = Kd / pi, ks = 0.
+    // their own. From plastic: kd = Kd / pi, ks = Ks, n = replace_n; from matte: kd = Kd / pi, ks =
+    // 0.
     std::vector<std::pair<std::string, std::string>> replace;
     double replace_n = 100;
 };

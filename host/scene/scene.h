@@ -62,8 +62,8 @@ struct DistantLight {
 // Perspective. Camera space is pbrt's: x right, y up, z forward, left-handed.
 struct Camera {
     glm::dmat4 camera_to_world{1.0};
-    double fov = 90;             // degrees, across the shorter side of the film
-    double lens_radius = 0;      // world units of camera space
+    double fov = 90;         // degrees, across the shorter side of the film
+    double lens_radius = 0;  // world units of camera space
     double focal_distance = 1e6;
     // left, right, bottom, top on the plane z = 1 / tan(fov / 2); absent: fits the film's aspect
     std::optional<std::array<double, 4>> screen_window;

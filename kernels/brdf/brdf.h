@@ -47,13 +47,13 @@ BrdfSample brdf_no_sample(void) {
     values.name = LOBE_LOAD_##kind(*row);                         \
     ++row;
 
-#define LOBE_BRDF_VALUES(NAME)                                   \
-    typedef struct {                                             \
-        NAME##_parameters(LOBE_MEMBER)                           \
-    } NAME##_values;                                             \
-    NAME##_values NAME##_load(global const LobeRow* row) {       \
-        NAME##_values values;                                    \
-        NAME##_parameters(LOBE_LOAD) return values;              \
+#define LOBE_BRDF_VALUES(NAME)                             \
+    typedef struct {                                       \
+        NAME##_parameters(LOBE_MEMBER)                     \
+    } NAME##_values;                                       \
+    NAME##_values NAME##_load(global const LobeRow* row) { \
+        NAME##_values values;                              \
+        NAME##_parameters(LOBE_LOAD) return values;        \
     }
 
 #endif

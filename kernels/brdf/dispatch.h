@@ -16,13 +16,13 @@ LOBE_BRDFS(LOBE_FITS)
 
 // All that a path asks of a material at one point.
 typedef struct {
-    real3 reflected;    // f cos theta_i towards the light, 0 if there is no such direction
-    real pdf;           // density with which `next` could have gone there
-    BrdfSample next;    // where the path goes on
+    real3 reflected;  // f cos theta_i towards the light, 0 if there is no such direction
+    real pdf;         // density with which `next` could have gone there
+    BrdfSample next;  // where the path goes on
 } Scattering;
 
-#define LOBE_PREPARE(NAME)                                                                  \
-    case LOBE_MODEL_##NAME:                                                                 \
+#define LOBE_PREPARE(NAME)                                                      \
+    case LOBE_MODEL_##NAME:                                                     \
         *(global NAME##_prepared*)prepared = NAME##_prepare(NAME##_load(rows)); \
         return 1;
 
@@ -32,15 +32,15 @@ int prepare_material(uint model, global const LobeRow* rows, global uchar* prepa
     return 0;
 }
 
-#define LOBE_SCATTER(NAME)                                                \
-    case LOBE_MODEL_##NAME: {                                             \
-        NAME##_prepared m = *(global const NAME##_prepared*)prepared;     \
-        if (wi.z > 0) {                                                   \
-            scattering.reflected = NAME##_eval(&m, wo, wi);               \
-            scattering.pdf = NAME##_pdf(&m, wo, wi);                      \
-        }                                                                 \
-        scattering.next = NAME##_sample(&m, wo, u);                       \
-        break;                                                            \
+#define LOBE_SCATTER(NAME)                                            \
+    case LOBE_MODEL_##NAME: {                                         \
+        NAME##_prepared m = *(global const NAME##_prepared*)prepared; \
+        if (wi.z > 0) {                                               \
+            scattering.reflected = NAME##_eval(&m, wo, wi);           \
+            scattering.pdf = NAME##_pdf(&m, wo, wi);                  \
+        }                                                             \
+        scattering.next = NAME##_sample(&m, wo, u);                   \
+        break;                                                        \
     }
 
 // One visit to the material answers both questions: what goes towards wi (asked only if wi.z > 0)

@@ -18,9 +18,7 @@ real largest_component(real3 v) { return larger(v.x, larger(v.y, v.z)); }
 int is_black(real3 v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 // Rec. 709 luminance of a linear colour.
-real luminance(real3 c) {
-    return R(0.2126) * c.x + R(0.7152) * c.y + R(0.0722) * c.z;
-}
+real luminance(real3 c) { return R(0.2126) * c.x + R(0.7152) * c.y + R(0.0722) * c.z; }
 
 // v mirrored about the unit vector n: 2 (v.n) n - v. Both point away from the surface.
 real3 reflect_about(real3 v, real3 n) { return 2 * dot(v, n) * n - v; }

@@ -153,7 +153,8 @@ int is_occluded(const Geometry* g, const Ray* ray) {
             global const LobeNode* node = &g->nodes[current];
             real8 entries;
             lane_set lanes = enter_children(node, &slabs, ray->reach, &entries);
-            for (; lanes; lanes = next_lanes(lanes)) stack[height++] = node->child[first_lane(lanes)];
+            for (; lanes; lanes = next_lanes(lanes))
+                stack[height++] = node->child[first_lane(lanes)];
         }
         if (height == 0) return 0;
         current = stack[--height];

@@ -10,7 +10,8 @@
 
 // Distance to the first meeting ahead for each lane, and the lanes met up to `reach`. The sphere
 // that the ray starts from is met only at its far side.
-lane_set test_spheres(global const LobeSphereLeaf* leaf, const Ray* ray, real reach, real8* distance) {
+lane_set test_spheres(global const LobeSphereLeaf* leaf, const Ray* ray, real reach,
+                      real8* distance) {
     real3 d = ray->direction;
     real8 r = load_lanes(leaf->radius);
     real8 fx = (real8)(ray->origin.x) - load_lanes(leaf->centre[0]);

@@ -19,7 +19,7 @@ typedef struct {
 
 typedef struct {
     real3 position;
-    real3 error;     // each coordinate of the true point lies within this of `position`
+    real3 error;      // each coordinate of the true point lies within this of `position`
     real3 geometric;  // unit normal of the shape, on the side that its light leaves
     real3 shading;    // unit normal for reflection
     uint material, light, primitive;
@@ -51,14 +51,15 @@ Surface triangle_surface(const Shapes* shapes, const Hit* hit) {
     real3 normal = normalize(cross(p1 - p0, p2 - p0));
     s.geometric = flags & LOBE_SURFACE_FLIPPED ? -normal : normal;
     s.position = b0 * p0 + hit->b1 * p1 + hit->b2 * p2;
-    // Seven roundings in weights, products and sums, and two more for the move along the normal. The
-    // largest coordinate speaks for all: a triangle in the plane z = 0 has an exact z, but the test
-    // of another one in that plane, with a slanting ray, rounds as its x and y do.
+    // Seven roundings in weights, products and sums, and two more for the move along the normal.
+    // The largest coordinate speaks for all: a triangle in the plane z = 0 has an exact z, but the
+    // test of another one in that plane, with a slanting ray, rounds as its x and y do.
     real3 size = fabs(b0 * p0) + fabs(hit->b1 * p1) + fabs(hit->b2 * p2);
     s.error = (real3)(9 * REAL_EPSILON * largest_component(size));
     s.shading = s.geometric;
     if (flags & LOBE_SURFACE_NORMALS) {
-        real3 n = b0 * vertex_normal(v0) + hit->b1 * vertex_normal(v1) + hit->b2 * vertex_normal(v2);
+        real3 n =
+            b0 * vertex_normal(v0) + hit->b1 * vertex_normal(v1) + hit->b2 * vertex_normal(v2);
         real length_squared = dot(n, n);
         if (length_squared > R(1e-12)) s.shading = n / sqrt(length_squared);
     }

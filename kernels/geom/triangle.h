@@ -72,7 +72,8 @@ TriangleTest test_triangles(global const LobeTriangleLeaf* leaf, const Ray* ray,
 
 // Takes into `hit` the nearest of a block, if nearer. Of two at the same distance the lower
 // primitive wins, so that the answer does not depend on the order of the visit.
-void nearest_triangle(global const LobeTriangleLeaf* leaf, const Ray* ray, const Shear* s, Hit* hit) {
+void nearest_triangle(global const LobeTriangleLeaf* leaf, const Ray* ray, const Shear* s,
+                      Hit* hit) {
     TriangleTest test = test_triangles(leaf, ray, s, hit->distance);
     if (!test.lanes) return;
     real u[LOBE_WIDTH], v[LOBE_WIDTH], w[LOBE_WIDTH], distance[LOBE_WIDTH];

@@ -7,12 +7,12 @@
 #include "geom/surface.h"
 
 typedef struct {
-    real3 towards;    // unit
-    real distance;    // to the light along it
-    real3 radiance;   // arriving if nothing stands in the way (of a delta light: irradiance)
-    real pdf;         // per solid angle; of a delta light: probability; 0: no sample
-    int delta;        // no other strategy can find this light
-    uint primitive;   // that the shadow ray may meet: the light itself
+    real3 towards;   // unit
+    real distance;   // to the light along it
+    real3 radiance;  // arriving if nothing stands in the way (of a delta light: irradiance)
+    real pdf;        // per solid angle; of a delta light: probability; 0: no sample
+    int delta;       // no other strategy can find this light
+    uint primitive;  // that the shadow ray may meet: the light itself
 } LightSample;
 
 LightSample no_light_sample(void) {

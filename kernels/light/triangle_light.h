@@ -5,7 +5,8 @@
 
 #include "light/light_sample.h"
 
-LightSample triangle_light_sample(const Shapes* shapes, const LobeLight* light, real3 from, real2 u) {
+LightSample triangle_light_sample(const Shapes* shapes, const LobeLight* light, real3 from,
+                                  real2 u) {
     LightSample sample = no_light_sample();
     LobeTriangle triangle = shapes->triangles[light->primitive];
     real3 p0 = vertex_position(&shapes->vertices[triangle.v0]);

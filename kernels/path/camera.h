@@ -7,9 +7,9 @@
 #include "core/warp.h"
 #include "geom/ray.h"
 
-// Offset from the pixel's centre along one axis, in pixels, of a number `side` in [-1, 1): so much of
-// the filter's size lies within it. Tabulated over sqrt(1 - |side|), which is dense where filters
-// fade out.
+// Offset from the pixel's centre along one axis, in pixels, of a number `side` in [-1, 1): so much
+// of the filter's size lies within it. Tabulated over sqrt(1 - |side|), which is dense where
+// filters fade out.
 real filter_offset(global const float* table, real radius, real side) {
     real at = sqrt(1 - fabs(side)) * (LOBE_FILTER_NODES - 1);
     int node = min((int)at, LOBE_FILTER_NODES - 2);
@@ -29,7 +29,8 @@ real2 film_point(global const LobeFrame* frame, global const float* filter, uint
     }
     real x = filter_offset(filter, frame->filter_radius_x, side.x);
     real y = filter_offset(filter + LOBE_FILTER_NODES, frame->filter_radius_y, side.y);
-    // The sign goes by the number, not by the place: so the weights add up to the filter's integral.
+    // The sign goes by the number, not by the place: so the weights add up to the filter's
+    // integral.
     *weight = frame->filter_weight;
     if (fabs(side.x) > frame->filter_negative_x) *weight = -*weight;
     if (fabs(side.y) > frame->filter_negative_y) *weight = -*weight;

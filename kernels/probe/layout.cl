@@ -5,11 +5,11 @@
 #include "shared/types.h"
 
 #define LAYOUT_STRUCT(type) out[i++] = (uint)sizeof(type);
-#define LAYOUT_MEMBER(type, member)                            \
-    {                                                          \
-        type value;                                            \
+#define LAYOUT_MEMBER(type, member)                                \
+    {                                                              \
+        type value;                                                \
         out[i++] = (uint)((uchar*)&value.member - (uchar*)&value); \
-        out[i++] = (uint)sizeof(value.member);                 \
+        out[i++] = (uint)sizeof(value.member);                     \
     }
 
 kernel void layout(global uint* out) {

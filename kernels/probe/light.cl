@@ -12,11 +12,10 @@ kernel void light_round_trip(global const LobeNode* nodes,
                              global const LobeTriangleLeaf* triangle_leaves,
                              global const LobeSphereLeaf* sphere_leaves,
                              global const LobeTriangle* triangles,
-                             global const LobeVertex* vertices,
-                             global const LobeSphere* spheres, global const LobeSurface* surfaces,
-                             uint triangle_count, global const LobeLight* all,
-                             global const float* sums, uint light_count, uint on,
-                             global const real* in, global real* out) {
+                             global const LobeVertex* vertices, global const LobeSphere* spheres,
+                             global const LobeSurface* surfaces, uint triangle_count,
+                             global const LobeLight* all, global const float* sums,
+                             uint light_count, uint on, global const real* in, global real* out) {
     uint i = get_global_id(0);
     Geometry geometry = {nodes, triangle_leaves, sphere_leaves};
     Shapes shapes = {triangles, vertices, spheres, surfaces, triangle_count};

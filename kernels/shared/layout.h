@@ -15,7 +15,8 @@ typedef int LobeInt;
 #include <cstdint>
 typedef std::uint32_t LobeUint;
 typedef std::int32_t LobeInt;
-#define LOBE_ASSERT_SIZE(type, bytes) static_assert(sizeof(type) == (bytes), #type " has " #bytes " bytes")
+#define LOBE_ASSERT_SIZE(type, bytes) \
+    static_assert(sizeof(type) == (bytes), #type " has " #bytes " bytes")
 #endif
 
 #define LOBE_NONE 0xffffffffu  // "no such index": no light, no primitive, no child

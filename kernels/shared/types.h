@@ -90,9 +90,9 @@ LOBE_ASSERT_SIZE(LobeRow, 16);
 
 typedef struct LobeLight {
     LobeUint kind, primitive, flags;
-    float probability;       // of being chosen; the table below holds their running sum
-    float r, g, b, area;     // radiance; intensity of a point; irradiance of a distant light
-    float x, y, z, radius;   // sphere centre; point position; unit direction towards a distant light
+    float probability;      // of being chosen; the table below holds their running sum
+    float r, g, b, area;    // radiance; intensity of a point; irradiance of a distant light
+    float x, y, z, radius;  // sphere centre; point position; unit direction towards a distant light
 } LobeLight;
 LOBE_ASSERT_SIZE(LobeLight, 48);
 

@@ -20,7 +20,8 @@ OIIO::ImageSpec make_spec(const ImageFile& image) {
     spec.full_height = static_cast<int>(image.full_height);
     for (const auto& [name, value] : image.attributes) {
         if (const auto* i = std::get_if<int>(&value)) spec.attribute(name, *i);
-        if (const auto* d = std::get_if<double>(&value)) spec.attribute(name, static_cast<float>(*d));
+        if (const auto* d = std::get_if<double>(&value))
+            spec.attribute(name, static_cast<float>(*d));
         if (const auto* s = std::get_if<std::string>(&value)) spec.attribute(name, *s);
     }
     spec.attribute("DateTime", "");  // else the same render gives other bytes each time
@@ -76,7 +77,8 @@ extern "C" void lobe_read_image(const char* path, ImageFile& image, std::string&
         good = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, bytes.data());
         image.pixels.assign(bytes.begin(), bytes.end());
     } else {
-        good = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data());
+        good =
+            input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data());
     }
     for (const auto& attribute : spec.extra_attribs)
         image.attributes[attribute.name().string()] = attribute.get_string();
