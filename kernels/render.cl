@@ -35,13 +35,15 @@ real3 trace_path(const Scene* scene, global const LobeFrame* frame, Ray ray, con
         real3 wi = light.pdf > 0 ? local_direction(&point, light.towards) : (real3)(0, 0, -1);
 
         real2 v = sobol_numbers(sampler, bounce_dimension(depth, DIMENSION_BRDF));
-        global const uchar* prepared = scene->prepared + surface.material * LOBE_PREPARED_BYTES;
+        global const uchar* prepared = scene->prepared + (ulong)surface.material * LOBE_PREPARED_BYTES;
         Scattering scattering = scatter(scene->materials[surface.material].model, prepared,
                                         point.wo, wi, (real3)(v, choice.y));
         radiance += throughput * sent_light(scene, &surface, &light, &scattering);
 
         real3 direction = to_world(&point.frame, scattering.next.wi);
         throughput *= scattering.next.weight;
+        // What is not a number must reach the film's counters before a comparison hides it.
+        if (!isfinite(throughput.x + throughput.y + throughput.z)) return throughput;
         if (dot(direction, point.side) <= 0 || !survives(&throughput, sampler, depth)) {
             return radiance;
         }

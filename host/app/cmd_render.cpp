@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // lobe render: the main job, from a scene file to pictures with their error and their time.
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
@@ -69,8 +72,10 @@ std::string standard_output_name(const Scene& scene) {
 class RenderWatch {
   public:
     void operator()(const RenderProgress& progress) {
-        if (progress.block_ended && since_error_.seconds() > 1) {
+        if (progress.block_ended && !is_quiet() && since_error_.seconds() > pause_) {
+            const Stopwatch watch;
             error_ = "error " + error_text(estimate(progress.film));
+            pause_ = std::max(1.0, 30 * watch.seconds());
             since_error_.restart();
         }
         shown_.update(progress.samples_done, progress.samples_total, error_);
@@ -79,6 +84,7 @@ class RenderWatch {
   private:
     Progress shown_{"render", "samples"};
     Stopwatch since_error_;
+    double pause_ = 1;  // seconds between estimates: they stay below a thirtieth of the time
     std::string error_;
 };
 
@@ -120,7 +126,7 @@ void write_pictures(RenderReport& report, const LobeFrame& frame, const Options&
 }
 
 void warn_of_status(const RenderStatus& status) {
-    const std::string first = ", first in pixel " +
+    const std::string first = ", for example in pixel " +
                               std::to_string(status.counters[LOBE_STATUS_PIXEL] - 1) + " sample " +
                               std::to_string(status.counters[LOBE_STATUS_SAMPLE]);
     if (status.nonfinite())
@@ -164,6 +170,18 @@ PackedScene prepare(const Options& options, const KernelText& kernels, RenderRep
     return packed;
 }
 
+// Better refused now than killed hours later.
+void check_host_memory(const Session& session, const RenderPlan& plan) {
+    const double needed =
+        Film::peak_bytes(static_cast<double>(session.width()) * session.height(), plan.samples);
+    const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
+    if (needed > there)
+        throw Error(ExitCode::device,
+                    "the film needs " + bytes_text(needed) + " of host memory, there are " +
+                        bytes_text(there),
+                    "", "render a part with --crop, or fewer samples");
+}
+
 RenderOutcome render_watched(Session& session, const RenderPlan& plan) {
     RenderWatch shown;
     return render(session, plan, std::ref(shown), [] { return stop_signal() != 0; });
@@ -200,6 +218,7 @@ int run(const Options& options) {
     report.device = device.info();
     Session session(device, kernels, packed);
     session.set_seed(options.seed);
+    check_host_memory(session, plan);
     take_outcome(render_watched(session, plan), session, report);
     warn_of_status(report.status);
     if (report.picture.samples == 0) {  // a black picture is not worth the old one

@@ -95,7 +95,9 @@ ReadOptions read_options(const SceneOptions& options) {
             throw bad_option("--replace", pair, "write TYPE=MODEL, e.g. plastic=rational");
         read.replace.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
     }
-    if (options.replace_n) read.replace_n = *options.replace_n;
+    if (options.replace_n && options.replace.empty())
+        throw Error(ExitCode::usage, "--n has nothing to set", "", "it goes with --replace TYPE=MODEL");
+    read.replace_n = options.replace_n;
     return read;
 }
 
@@ -121,7 +123,7 @@ void add_scene_options(CLI::App& verb, SceneOptions& o) {
         ->check(CLI::IsMember({"auto", "all"}));
     verb.add_option("--replace", o.replace, "render materials of a type with another model")
         ->type_name("TYPE=MODEL");
-    verb.add_option("--n", o.replace_n, "n of the models that --replace puts in (100)")
+    verb.add_option("--n", o.replace_n, "n of the models that --replace puts in (else the scene's, else 100)")
         ->check(real_number(0, std::numeric_limits<double>::infinity(), "from 0 to inf"))
         ->type_name("NUMBER");
     verb.add_flag("--lenient", o.lenient,

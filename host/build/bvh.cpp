@@ -149,6 +149,7 @@ class Layout {
             const std::size_t lane = i % LOBE_WIDTH;
             if (lane == 0) {
                 leaves.push_back({});
+                std::fill_n(&leaves.back().vertex[0][0][0], 9 * LOBE_WIDTH, std::nanf(""));
                 std::fill_n(leaves.back().primitive, LOBE_WIDTH, LOBE_NONE);
             }
             LobeTriangleLeaf& leaf = leaves.back();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.h"
 #include "shared/frame.h"
 
 namespace lobe {
@@ -27,6 +28,7 @@ struct Axis {
     std::vector<double> cumulative;  // of |f| from 0 to the half width
     double absolute = 0, signed_sum = 0;
     double negative = std::numeric_limits<double>::infinity();  // part of |f| within its first zero
+    bool rises_again = false;  // positive beyond a negative part
 };
 
 Axis integrate(const Filter& filter, double radius) {
@@ -36,12 +38,23 @@ Axis integrate(const Filter& filter, double radius) {
         const double offset = radius * (i + 0.5) / cells;
         const double value = filter_value(filter, radius, offset);
         if (value < 0) axis.negative = std::min(axis.negative, axis.absolute);
+        if (value > 0 && !std::isinf(axis.negative)) axis.rises_again = true;
         axis.absolute += std::abs(value);
         axis.signed_sum += value;
         axis.cumulative.push_back(axis.absolute);
     }
     axis.negative /= axis.absolute;
     return axis;
+}
+
+// The camera knows one place from which a filter is negative, and divides by its integral.
+void check(const Axis& axis) {
+    if (!(axis.absolute > 0 && axis.signed_sum > 1e-6 * axis.absolute))
+        throw Error(ExitCode::scene, "the pixel filter has no positive integral", "",
+                    "its width and its other parameters do not fit each other");
+    if (axis.rises_again)
+        throw Error(ExitCode::scene, "the pixel filter turns positive again beyond a negative part",
+                    "", "mitchell with B and C from 0 to 1 does not");
 }
 
 // Offset in half widths at which the cumulative distribution of |f| over [0, 1] reaches `part`.
@@ -75,6 +88,8 @@ double filter_value(const Filter& filter, double radius, double offset) {
 
 FilterTable tabulate_filter(const Filter& filter) {
     const Axis x = integrate(filter, filter.radius_x), y = integrate(filter, filter.radius_y);
+    check(x);
+    check(y);
     FilterTable table;
     table.negative_x = x.negative;
     table.negative_y = y.negative;

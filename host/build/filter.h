@@ -20,6 +20,8 @@ struct FilterTable {
 // product), unnormalised, 0 beyond its half width `radius`.
 double filter_value(const Filter& filter, double radius, double offset);
 
+// Throws Error (scene) for a filter whose integral is not positive, or that turns positive again
+// beyond a negative part.
 FilterTable tabulate_filter(const Filter& filter);
 
 }  // namespace lobe

@@ -5,12 +5,11 @@
 #include <glm/gtc/constants.hpp>
 
 #include "base/error.h"
+#include "base/luminance.h"
 #include "build/filter.h"
 
 namespace lobe {
 namespace {
-
-double luminance(const glm::vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 // Fills the arrays of a PackedScene shape by shape.
 class Packer {

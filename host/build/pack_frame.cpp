@@ -22,7 +22,9 @@ void pack_film(const FilmSettings& film, LobeFrame& frame) {
         throw Error(ExitCode::scene, "the film has more than 2^32 pixels", "",
                     "choose a smaller --resolution");
     const auto corner = [](double fraction, std::uint32_t size) {
-        return static_cast<std::uint32_t>(std::ceil(std::clamp(fraction, 0.0, 1.0) * size));
+        // In float, as pbrt does: 0.07 of 100 pixels is 7, not a rounding above it.
+        const auto part = static_cast<float>(std::clamp(fraction, 0.0, 1.0));
+        return static_cast<std::uint32_t>(std::ceil(part * static_cast<float>(size)));
     };
     frame.film_width = film.width;
     frame.film_height = film.height;

@@ -11,7 +11,10 @@ template <typename Visit>
 void for_each_point(const Scene& scene, Visit visit) {
     for (const Shape& shape : scene.shapes) {
         if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
-            for (const glm::dvec3& p : mesh->positions) visit(p, 0.0);
+            std::vector<bool> used(mesh->positions.size());  // stray vertices have no say
+            for (const glm::uvec3& t : mesh->triangles) used[t.x] = used[t.y] = used[t.z] = true;
+            for (std::size_t i = 0; i < used.size(); ++i)
+                if (used[i]) visit(mesh->positions[i], 0.0);
         } else {
             const auto& sphere = std::get<Sphere>(shape.geometry);
             visit(sphere.centre, sphere.radius);

@@ -42,6 +42,7 @@ DeviceInfo describe(const cl::Device& device, const std::string& platform) {
     info.opencl_c = trimmed(device.getInfo<CL_DEVICE_OPENCL_C_VERSION>());
     info.type = device.getInfo<CL_DEVICE_TYPE>();
     info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+    info.shares_host_memory = device.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>() != CL_FALSE;
     info.clock_mhz = device.getInfo<CL_DEVICE_MAX_CLOCK_FREQUENCY>();
     info.global_memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
     info.largest_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
@@ -102,7 +103,8 @@ std::vector<Found> find_devices() {
 }
 
 auto preference(const DeviceInfo& info) {
-    const int kind = info.type & CL_DEVICE_TYPE_GPU           ? 2
+    // Units of different makers do not compare; a GPU with memory of its own comes first.
+    const int kind = info.type & CL_DEVICE_TYPE_GPU           ? 3 - info.shares_host_memory
                      : info.type & CL_DEVICE_TYPE_ACCELERATOR ? 1
                                                               : 0;
     return std::make_tuple(kind, std::uint64_t{info.compute_units} * info.clock_mhz);

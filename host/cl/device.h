@@ -19,6 +19,7 @@ struct DeviceInfo {
     unsigned compute_units = 0, clock_mhz = 0;
     std::uint64_t global_memory = 0, largest_allocation = 0;  // bytes
     bool fp64 = false;                                        // cl_khr_fp64
+    bool shares_host_memory = false;                          // as integrated GPUs do
     bool correctly_rounded = false;                           // divide and sqrt on request
     std::string extensions;
 };

@@ -14,6 +14,13 @@ void add_to(std::vector<double>& later, const std::vector<double>& earlier) {
 Film::Film(std::uint32_t width, std::uint32_t height)
     : width_(width), height_(height), emitters_(pixels(), 0) {}
 
+double Film::peak_bytes(double pixels, std::uint64_t samples) {
+    double subtrees = 1;  // open ones of the tree and the one that is carried
+    for (std::uint64_t blocks = samples / LOBE_BLOCK; blocks; blocks >>= 1) ++subtrees;
+    const double block = LOBE_REPLICATES * sizeof(LobeBlockSum);
+    return pixels * (subtrees * LOBE_REPLICATES * 3 * sizeof(double) + block + sizeof(std::uint32_t));
+}
+
 void Film::add_block(const std::vector<LobeBlockSum>& sums, std::uint32_t samples) {
     std::vector<double> carry(pixels() * LOBE_REPLICATES * 3);
     for (std::size_t i = 0; i < sums.size(); ++i) {

@@ -27,6 +27,9 @@ class Film {
     std::size_t pixels() const { return static_cast<std::size_t>(width_) * height_; }
     std::uint64_t samples() const { return samples_; }
 
+    // Bytes of host memory that a render of so many samples of `pixels` pixels needs at its peak.
+    static double peak_bytes(double pixels, std::uint64_t samples);
+
     // Adds the next block in order: `sums` has LOBE_REPLICATES entries a pixel. Only the last block
     // of a render may have fewer than LOBE_BLOCK samples.
     void add_block(const std::vector<LobeBlockSum>& sums, std::uint32_t samples);

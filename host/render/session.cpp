@@ -15,7 +15,7 @@ namespace {
 
 // A launch's sums stay below this, so that large films need no large buffer.
 constexpr std::size_t sums_bytes = 256u << 20;
-// OpenCL runtimes compile anew for grids of 65,536 and more.
+// PoCL compiles anew for grids of 65,536 and more.
 constexpr std::uint32_t grid_limit = 65528;
 
 unsigned round_up(unsigned value, unsigned grain) { return (value + grain - 1) / grain * grain; }
@@ -73,7 +73,9 @@ Session::Session(const Device& device, const KernelText& kernels, const PackedSc
     const std::string source = flatten(kernels, "render.cl", {{"lobe_scene.h", header}});
     program_ = build_program(device, source, {options.double_precision});
     render_ = program_.kernel("render");
+    fit_work_group();
     upload(scene);
+    warm_up();
 }
 
 Session::~Session() = default;
@@ -95,6 +97,26 @@ void Session::upload(const PackedScene& scene) {
              b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_sums, b.filter,
              b.sums, b.status);
     upload_seconds_ = watch.seconds();
+}
+
+// Devices and kernels may allow fewer work-items in a group; the bits do not depend on it.
+void Session::fit_work_group() {
+    const auto most = checked(
+        [&] { return render_.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_.device()); });
+    auto& [x, y] = options_.local;
+    while (std::size_t{x} * y > most && x * y > 1) (x > y ? x : y) /= 2;
+}
+
+// An empty launch: runtimes that make the native code late, as PoCL does, make it here and not in
+// the time of the render.
+void Session::warm_up() {
+    const Stopwatch watch;
+    frame_.rows = 0;
+    buffers_->frame.write(&frame_, 1);
+    const auto [x, y] = options_.local;
+    launch(device_, render_, cl::NDRange(x, y), cl::NDRange(x, y));
+    device_.finish();
+    warm_up_seconds_ = watch.seconds();
 }
 
 void Session::prepare_materials(std::size_t count) {

@@ -54,7 +54,8 @@ class Session {
     std::uint32_t row_grain() const { return options_.local[1]; }
 
     RenderStatus status() const;
-    double compile_seconds() const { return program_.build_seconds; }
+    // Building the program and its first, empty launch.
+    double compile_seconds() const { return program_.build_seconds + warm_up_seconds_; }
     double upload_seconds() const { return upload_seconds_; }
     bool compiled_from_cache() const { return program_.cached; }
     std::size_t device_bytes() const;
@@ -66,6 +67,8 @@ class Session {
     struct Buffers;
     void upload(const PackedScene& scene);
     void prepare_materials(std::size_t count);
+    void fit_work_group();
+    void warm_up();
 
     const Device& device_;
     SessionOptions options_;
@@ -74,7 +77,7 @@ class Session {
     cl::Kernel render_;
     std::unique_ptr<Buffers> buffers_;
     std::uint32_t max_rows_ = 0;
-    double upload_seconds_ = 0;
+    double upload_seconds_ = 0, warm_up_seconds_ = 0;
 };
 
 }  // namespace lobe

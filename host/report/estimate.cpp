@@ -5,12 +5,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/luminance.h"
 #include "base/sha256.h"
 
 namespace lobe {
 namespace {
-
-double luminance(const double* c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 // Samples with index r modulo LOBE_REPLICATES among `samples`.
 std::array<double, LOBE_REPLICATES> replicate_sizes(std::uint64_t samples) {
@@ -51,7 +50,7 @@ Estimate estimate(const Film& film) {
     const bool known = film.complete() && e.replicates == LOBE_REPLICATES;
     if (known) e.standard_error.resize(film.pixels() * 3);
 
-    double luminance_sum = 0, variance_sum = 0;
+    double luminance_sum = 0, variance_sum = 0, all_luminance = 0, all_variance = 0;
     for (std::size_t p = 0; p < film.pixels(); ++p) {
         const double* pixel = &sums.radiance[p * LOBE_REPLICATES * 3];
         std::array<double, LOBE_REPLICATES> light{};
@@ -69,13 +68,20 @@ Estimate estimate(const Film& film) {
                     static_cast<float>(std::sqrt(variance_of_mean(channel, sizes, samples)));
             }
         }
+        const double value = luminance(total) / samples;
+        const double variance = known ? variance_of_mean(light, sizes, samples) : 0;
+        all_luminance += value;
+        all_variance += variance;
         if (sums.emitters[p] > 0) {
             ++e.masked;
             continue;
         }
-        luminance_sum += luminance(total) / samples;
-        if (known) variance_sum += variance_of_mean(light, sizes, samples);
+        luminance_sum += value;
+        variance_sum += variance;
     }
+    const auto all = static_cast<double>(film.pixels());
+    e.image_mean = all_luminance / all;
+    if (known) e.image_mean_standard_error = std::sqrt(all_variance) / all;
     const double counted = static_cast<double>(film.pixels() - e.masked);
     if (counted == 0) return e;
     e.mean = luminance_sum / counted;

@@ -17,6 +17,9 @@ struct Estimate {
     std::uint64_t samples = 0;          // per pixel
     unsigned replicates = 0;            // that hold samples
 
+    double image_mean = 0;  // luminance, over all pixels
+    std::optional<double> image_mean_standard_error;
+
     // Over the pixels in which no sample saw a light directly: a light's own edge says nothing
     // about the picture's quality and would outweigh everything else.
     std::size_t masked = 0;                         // pixels left out

@@ -4,31 +4,33 @@
 #include <cstdio>
 
 #include "base/progress.h"
+#include "base/statistics.h"
 
 namespace lobe {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double two_sided_95 =
-    1.959963984540054;  // pixels times (K - 1) degrees of freedom: normal
-
 Json optional_number(const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
+// 95 %; pixels times (K - 1) degrees of freedom are as good as normal.
+Json interval(double mean, const std::optional<double>& standard_error) {
+    if (!standard_error) return nullptr;
+    const double half = normal_quantile(0.975) * *standard_error;
+    return {mean - half, mean + half};
+}
+
 Json error_json(const Estimate& e) {
-    Json ci = nullptr;
-    if (e.mean_standard_error) {
-        const double half = two_sided_95 * *e.mean_standard_error;
-        ci = {e.mean - half, e.mean + half};
-    }
     return {{"relative_standard_error", optional_number(e.relative_standard_error)},
             {"mean", e.mean},
-            {"mean_ci95", ci},
+            {"mean_ci95", interval(e.mean, e.mean_standard_error)},
+            {"image_mean", e.image_mean},
+            {"image_mean_ci95", interval(e.image_mean, e.image_mean_standard_error)},
             {"replicates", e.replicates},
             {"masked_pixels", e.masked},
-            {"mask", "pixels in which a light is seen directly"}};
+            {"mask", "pixels in which a light is seen directly; left out of all but image_mean"}};
 }
 
 Json features_json(const RenderReport& r) {

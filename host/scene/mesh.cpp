@@ -46,16 +46,20 @@ std::size_t mend_normals(Mesh& mesh) {
     return count;
 }
 
-Sides count_sides(const Mesh& mesh) {
-    Sides sides;
-    if (mesh.normals.empty()) return sides;
-    for (const glm::uvec3& f : mesh.triangles) {
+bool unify_winding(Mesh& mesh) {
+    const auto side = [&](const glm::uvec3& f) {
         const glm::vec3 sum = mesh.normals[f.x] + mesh.normals[f.y] + mesh.normals[f.z];
-        const double side = glm::dot(winding_normal(mesh, f), glm::dvec3(sum));
-        sides.against += side < 0;
-        sides.all += side != 0;
+        return glm::dot(winding_normal(mesh, f), glm::dvec3(sum));
+    };
+    std::size_t against = 0, along = 0;
+    for (const glm::uvec3& f : mesh.triangles) {
+        against += side(f) < 0;
+        along += side(f) > 0;
     }
-    return sides;
+    const bool most_against = against > along;
+    for (glm::uvec3& f : mesh.triangles)
+        if (most_against ? side(f) > 0 : side(f) < 0) std::swap(f.y, f.z);
+    return most_against;
 }
 
 std::size_t count_degenerate(const Mesh& mesh) {

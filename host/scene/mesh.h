@@ -15,12 +15,9 @@ bool transform_mesh(Mesh& mesh, const glm::dmat4& m);
 // Gives vertices whose normal is zero the mean normal of their triangles. Returns how many.
 std::size_t mend_normals(Mesh& mesh);
 
-// Triangles whose vertex normals lie on the side away from cross(p1 - p0, p2 - p0), and all
-// triangles that have a side.
-struct Sides {
-    std::size_t against = 0, all = 0;
-};
-Sides count_sides(const Mesh& mesh);
+// Makes one winding of a mesh with normals: triangles that see their normals on the other side than
+// most do are turned round. Returns whether the normals then lie against cross(p1 - p0, p2 - p0).
+bool unify_winding(Mesh& mesh);
 
 // Triangles without any area.
 std::size_t count_degenerate(const Mesh& mesh);

@@ -122,12 +122,13 @@ void replace_model(Material& material, const ReadContext& context, const Place& 
         const int from = old.find(row.name);
         const bool same =
             from >= 0 && old.parameters[static_cast<std::size_t>(from)].kind == row.kind;
-        if (same) {
+        const bool is_n = row.name == "n";
+        if (same && !(is_n && context.options.replace_n)) {
             fresh.rows[i] = material.rows[static_cast<std::size_t>(from)];
         } else if (row.name == "ks") {
             fresh.rows[i] = {0, 0, 0, 0};
-        } else if (row.name == "n") {
-            fresh.rows[i] = {static_cast<float>(context.options.replace_n), 0, 0, 0};
+        } else if (is_n) {
+            fresh.rows[i] = {static_cast<float>(context.options.replace_n.value_or(100)), 0, 0, 0};
         }
     }
     material = std::move(fresh);

@@ -47,8 +47,10 @@ glm::dvec3 named_spectrum(const Parameter& parameter) {
     const std::string& name = parameter.strings[0];
     for (const Metal& metal : metals) {
         const std::string stem = "metal-" + std::string(metal.name);
-        if (name == stem + "-eta") return metal.eta;
-        if (name == stem + "-k") return metal.k;
+        const std::string file = std::string(metal.name) + ".";  // pbrt-v3's "spds/Cu.eta.spd"
+        const std::string last = name.substr(name.find_last_of('/') + 1);
+        if (name == stem + "-eta" || last == file + "eta.spd") return metal.eta;
+        if (name == stem + "-k" || last == file + "k.spd") return metal.k;
         names.push_back(stem + "-eta");
         names.push_back(stem + "-k");
     }

@@ -2,6 +2,7 @@
 // Reads a pbrt scene (version 3 or 4 text) with all files it includes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct ReadOptions {
     // their own. From plastic: kd = Kd / pi, ks = Ks, n = replace_n; from matte: kd = Kd / pi, ks =
     // 0.
     std::vector<std::pair<std::string, std::string>> replace;
-    double replace_n = 100;
+    std::optional<double> replace_n;  // wins over a value of the scene; 100 where there is none
 };
 
 // Throws Error (scene) with FILE:LINE:COL, the offending value, and the choices or nearest name.

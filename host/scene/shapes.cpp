@@ -75,13 +75,7 @@ void finish_mesh(Mesh& mesh, Shape& shape, const glm::dmat4& to_world, bool reve
     }
     if (reverse && context.v4())
         for (glm::vec3& n : mesh.normals) n = -n;
-    const Sides sides = count_sides(mesh);
-    shape.flipped = 2 * sides.against > sides.all;
-    const std::size_t minority = std::min(sides.against, sides.all - sides.against);
-    if (minority > 0)
-        context.warn(p.place(), "the normals of " + std::to_string(minority) + " of " +
-                                    std::to_string(sides.all) +
-                                    " triangles lie on the other side than most");
+    shape.flipped = unify_winding(mesh);
 }
 
 }  // namespace

@@ -52,10 +52,13 @@ Surface triangle_surface(const Shapes* shapes, const Hit* hit) {
     s.geometric = flags & LOBE_SURFACE_FLIPPED ? -normal : normal;
     s.position = b0 * p0 + hit->b1 * p1 + hit->b2 * p2;
     // Seven roundings in weights, products and sums, and two more for the move along the normal.
-    // The largest coordinate speaks for all: a triangle in the plane z = 0 has an exact z, but the
-    // test of another one in that plane, with a slanting ray, rounds as its x and y do.
+    // Each axis has its own bound, so that a wide floor does not lift rays above what stands on it;
+    // but it is at least that of the point's largest coordinate: a triangle in the plane z = 0 has
+    // an exact z, while the test of another one in that plane, with a slanting ray, rounds as x and
+    // y do.
     real3 size = fabs(b0 * p0) + fabs(hit->b1 * p1) + fabs(hit->b2 * p2);
-    s.error = (real3)(9 * REAL_EPSILON * largest_component(size));
+    size = max(size, (real3)(largest_component(fabs(s.position))));
+    s.error = 9 * REAL_EPSILON * size;
     s.shading = s.geometric;
     if (flags & LOBE_SURFACE_NORMALS) {
         real3 n =

@@ -18,7 +18,7 @@ void raise_status(global uint* status, uint counter, uint pixel, uint sample) {
 void add_sample(LobeBlockSum* sum, real3 radiance, real weight, int emitter, global uint* status,
                 uint pixel, uint sample) {
     sum->emitter += emitter ? 1.0f : 0.0f;
-    real total = radiance.x + radiance.y + radiance.z;
+    real total = weight * (radiance.x + radiance.y + radiance.z);
     if (!isfinite(total)) {
         raise_status(status, LOBE_STATUS_NONFINITE, pixel, sample);
         return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene as the device sees it. Lengths are in render space: the world moved to the middle of
-// its geometry and scaled by a power of two, so that every coordinate lies within [-1, 1].
+// The scene as the device sees it. Lengths are in render space: the world moved to the median of its
+// vertices and scaled by a power of two, so that every coordinate, the eye's too, lies in [-1, 1].
 #ifndef LOBE_SHARED_TYPES_H
 #define LOBE_SHARED_TYPES_H
 
@@ -24,8 +24,8 @@ LOBE_ASSERT_SIZE(LobeNode, 256);
 #define LOBE_LEAF_BLOCKS 4  // most blocks in a leaf
 #define LOBE_LEAF_INDEX 0x0fffffffu
 
-// Eight triangles as a structure of arrays: vertex[corner][axis][lane]. An unused lane is a point
-// at the origin (which no ray hits) with primitive LOBE_NONE.
+// Eight triangles as a structure of arrays: vertex[corner][axis][lane]. An unused lane has NaN
+// corners, which no ray hits, and primitive LOBE_NONE.
 typedef struct LobeTriangleLeaf {
     float vertex[3][3][LOBE_WIDTH];
     LobeUint primitive[LOBE_WIDTH];

@@ -87,7 +87,7 @@ TEST(GeomLeave, NoSelfHitsAtAnyScale) {
             const double extent = scale * rig.packed().placement.scale;
             const Leaving result = leave_convex(program, rig, extent);
             EXPECT_EQ(result.again, 0) << "scale " << scale << ", offset " << offset;
-            // Even without names: at most five in a hundred thousand (numerics.md, 5).
+            // Even without names: at most five in a hundred thousand.
             EXPECT_LE(result.again_unnamed, ray_count / 20000)
                 << "scale " << scale << ", offset " << offset;
             EXPECT_LE(result.largest_shift, 4e-6 * extent) << "scale " << scale;

@@ -135,3 +135,23 @@ TEST(Extremes, MixedSizes) {
     add(scene, {0.5, 0, 4}, 1e-9);
     EXPECT_TRUE(all_finite(both_kernels(scene)));
 }
+
+// A small ball on a floor a million times wider still touches its shadow: rays leave the floor where
+// they should, not above the ball.
+TEST(Extremes, WideFloorsKeepContactShadows) {
+    const auto ball_on_floor = [](double half) {
+        Scene scene = small_scene(0.5, 48, 30);
+        scene.max_depth = 1;
+        Mesh floor;
+        floor.positions = {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};
+        floor.triangles = {{0, 1, 2}, {0, 2, 3}};
+        add(scene, floor);
+        add(scene, {0, 0, 0.3}, 0.3);
+        scene.distant_lights.push_back({glm::normalize(glm::dvec3(1, 0, 1)), glm::vec3(2)});
+        look(scene, {-1.5, -3, 2}, {-0.3, 0, 0.1});
+        return mean_of(both_kernels(scene)).mean;
+    };
+    const double narrow = ball_on_floor(10);
+    for (const double half : {1e3, 1e5, 3e5})
+        EXPECT_NEAR(ball_on_floor(half), narrow, 0.01 * narrow) << half;
+}

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/error.h"
 #include "build/filter.h"
 #include "build/pack.h"
 #include "shared/frame.h"
@@ -81,4 +82,14 @@ TEST(BuildFilter, FramesOfBoxesTakeNoTable) {
     scene.filter.kind = FilterKind::triangle;
     EXPECT_EQ(pack_scene(scene).frame.filter_table, 1u);
     EXPECT_EQ(pack_scene(scene).filter_nodes.size(), 2u * LOBE_FILTER_NODES);
+}
+
+TEST(BuildFilter, WhatCannotBeSampledIsRefused) {
+    // So flat, or so narrow, that its value less its value at the edge is 0 everywhere.
+    EXPECT_THROW(tabulate_filter({FilterKind::gaussian, 2, 2, 1e-18}), Error);
+    EXPECT_THROW(tabulate_filter({FilterKind::gaussian, 2, 2, 1e13}), Error);
+    // Negative, then positive again; and negative in the middle.
+    EXPECT_THROW(tabulate_filter({FilterKind::mitchell, 2, 2, 2, 0, -1}), Error);
+    EXPECT_THROW(tabulate_filter({FilterKind::mitchell, 2, 2, 2, 4, 0}), Error);
+    EXPECT_NO_THROW(tabulate_filter({FilterKind::mitchell, 2, 2, 2, 0, 1}));
 }

@@ -90,6 +90,13 @@ TEST(Materials, ConductorOfVersion4) {
                2, .09, 0, 0);
 }
 
+TEST(Materials, MetalOfVersion3ByTheNamesOfItsSpectra) {
+    const Material gold = material3(
+        "Material \"metal\" \"spectrum eta\" \"spds/Au.eta.spd\" \"spectrum k\" \"Au.k.spd\"");
+    expect_row(gold, 0, 0.143119, 0.374957, 1.442479);
+    expect_row(gold, 1, 3.983160, 2.385721, 1.603215);
+}
+
 TEST(Materials, ConductorOfAReflectanceReflectsThatMuch) {
     const Material m = material4("Material \"conductor\" \"rgb reflectance\" [.2 .5 1]");
     for (int i = 0; i < 3; ++i) {
@@ -189,7 +196,7 @@ TEST(Materials, SpectraBecomeColours) {
               "2:18: a blackbody wants 2 numbers, has 1 | [ kelvin scale ] in version 3");
     EXPECT_EQ(fault_of(world4("Material \"diffuse\" \"blackbody reflectance\" [2000 1]"), v4),
               "2:20: a blackbody wants 1 number, has 2 | [ kelvin ] in version 4");
-    EXPECT_FAULT(world3("Material \"metal\" \"spectrum eta\" \"Cu.eta.spd\""), "2:33",
+    EXPECT_FAULT(world3("Material \"metal\" \"spectrum eta\" \"spds/Zn.eta.spd\""), "2:33",
                  "spectrum files");
     EXPECT_FAULT(world4("Material \"conductor\" \"spectrum eta\" \"metal-Cu-ata\""), "2:37",
                  "did you mean 'metal-Cu-eta'");
