@@ -35,7 +35,8 @@ real3 trace_path(const Scene* scene, global const LobeFrame* frame, Ray ray, con
         real3 wi = light.pdf > 0 ? local_direction(&point, light.towards) : (real3)(0, 0, -1);
 
         real2 v = sobol_numbers(sampler, bounce_dimension(depth, DIMENSION_BRDF));
-        global const uchar* prepared = scene->prepared + (ulong)surface.material * LOBE_PREPARED_BYTES;
+        global const uchar* prepared =
+            scene->prepared + (ulong)surface.material * LOBE_PREPARED_BYTES;
         Scattering scattering = scatter(scene->materials[surface.material].model, prepared,
                                         point.wo, wi, (real3)(v, choice.y));
         radiance += throughput * sent_light(scene, &surface, &light, &scattering);

@@ -96,7 +96,8 @@ ReadOptions read_options(const SceneOptions& options) {
         read.replace.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
     }
     if (options.replace_n && options.replace.empty())
-        throw Error(ExitCode::usage, "--n has nothing to set", "", "it goes with --replace TYPE=MODEL");
+        throw Error(ExitCode::usage, "--n has nothing to set", "",
+                    "it goes with --replace TYPE=MODEL");
     read.replace_n = options.replace_n;
     return read;
 }
@@ -123,7 +124,8 @@ void add_scene_options(CLI::App& verb, SceneOptions& o) {
         ->check(CLI::IsMember({"auto", "all"}));
     verb.add_option("--replace", o.replace, "render materials of a type with another model")
         ->type_name("TYPE=MODEL");
-    verb.add_option("--n", o.replace_n, "n of the models that --replace puts in (else the scene's, else 100)")
+    verb.add_option("--n", o.replace_n,
+                    "n of the models that --replace puts in (else the scene's, else 100)")
         ->check(real_number(0, std::numeric_limits<double>::infinity(), "from 0 to inf"))
         ->type_name("NUMBER");
     verb.add_flag("--lenient", o.lenient,

@@ -28,7 +28,7 @@ struct Axis {
     std::vector<double> cumulative;  // of |f| from 0 to the half width
     double absolute = 0, signed_sum = 0;
     double negative = std::numeric_limits<double>::infinity();  // part of |f| within its first zero
-    bool rises_again = false;  // positive beyond a negative part
+    bool rises_again = false;                                   // positive beyond a negative part
 };
 
 Axis integrate(const Filter& filter, double radius) {

@@ -18,7 +18,8 @@ double Film::peak_bytes(double pixels, std::uint64_t samples) {
     double subtrees = 1;  // open ones of the tree and the one that is carried
     for (std::uint64_t blocks = samples / LOBE_BLOCK; blocks; blocks >>= 1) ++subtrees;
     const double block = LOBE_REPLICATES * sizeof(LobeBlockSum);
-    return pixels * (subtrees * LOBE_REPLICATES * 3 * sizeof(double) + block + sizeof(std::uint32_t));
+    return pixels *
+           (subtrees * LOBE_REPLICATES * 3 * sizeof(double) + block + sizeof(std::uint32_t));
 }
 
 void Film::add_block(const std::vector<LobeBlockSum>& sums, std::uint32_t samples) {

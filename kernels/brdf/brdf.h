@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contract every reflectance model keeps. README.md beside this file explains it with an
-// example; here are the types and the macros that turn a model's parameter table into code.
+// The contract every reflectance model keeps. README.md beside this file explains it; here are the
+// types and the macros that turn a model's parameter table into code.
 #ifndef LOBE_BRDF_BRDF_H
 #define LOBE_BRDF_BRDF_H
 

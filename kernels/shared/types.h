@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene as the device sees it. Lengths are in render space: the world moved to the median of its
-// vertices and scaled by a power of two, so that every coordinate, the eye's too, lies in [-1, 1].
+// The scene as the device sees it. Lengths are in render space: the world moved to the median of
+// its vertices and scaled by a power of two, so that every coordinate, the eye's too, lies in [-1,
+// 1].
 #ifndef LOBE_SHARED_TYPES_H
 #define LOBE_SHARED_TYPES_H
 

@@ -136,8 +136,8 @@ TEST(Extremes, MixedSizes) {
     EXPECT_TRUE(all_finite(both_kernels(scene)));
 }
 
-// A small ball on a floor a million times wider still touches its shadow: rays leave the floor where
-// they should, not above the ball.
+// A small ball on a floor a million times wider still touches its shadow: rays leave the floor
+// where they should, not above the ball.
 TEST(Extremes, WideFloorsKeepContactShadows) {
     const auto ball_on_floor = [](double half) {
         Scene scene = small_scene(0.5, 48, 30);
@@ -152,6 +152,6 @@ TEST(Extremes, WideFloorsKeepContactShadows) {
         return mean_of(both_kernels(scene)).mean;
     };
     const double narrow = ball_on_floor(10);
-    for (const double half : {1e3, 1e5, 3e5})
-        EXPECT_NEAR(ball_on_floor(half), narrow, 0.01 * narrow) << half;
+    for (const double half : {1e3, 1e5, 1e6})
+        EXPECT_NEAR(ball_on_floor(half), narrow, 0.005 * narrow) << half;
 }
