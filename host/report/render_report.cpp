@@ -41,9 +41,8 @@ Json features_json(const RenderReport& r) {
 }
 
 Json seconds_json(const RenderTimes& t) {
-    return {{"parse_s", t.parse},   {"bvh_s", t.bvh},       {"compile_s", t.compile},
-            {"upload_s", t.upload}, {"render_s", t.render}, {"write_s", t.write},
-            {"total_s", t.total}};
+    return {{"parse", t.parse},   {"bvh", t.bvh},     {"compile", t.compile}, {"upload", t.upload},
+            {"render", t.render}, {"write", t.write}, {"total", t.total}};
 }
 
 double samples_per_second(const RenderReport& r) {
