@@ -59,7 +59,11 @@ std::string fresh_name(const fs::path& folder) {
 
 std::string read_file(const std::string& path, ExitCode code) {
     const auto fail = [&](int reason) {
-        throw Error(code, std::string("cannot read the file: ") + std::strerror(reason), path);
+        const char* hint = reason == ENOENT   ? "is its name spelt right?"
+                           : reason == EISDIR ? "name a file in it"
+                                              : "";
+        throw Error(code, std::string("cannot read the file: ") + std::strerror(reason), path,
+                    hint);
     };
     const Descriptor file(path, O_RDONLY);
     if (!file.ok()) fail(errno);
@@ -82,7 +86,14 @@ std::string read_file(const std::string& path, ExitCode code) {
 }
 
 void AtomicFile::fail(const std::string& what, int reason) const {
-    throw Error(code_, what + ": " + std::strerror(reason), path_);
+    std::string hint;
+    if (reason == ENOENT) hint = "make the folder first, or choose another";
+    if (reason == EACCES || reason == EPERM || reason == EROFS)
+        hint = "choose a folder that you may write to";
+    if (reason == EISDIR) hint = "name a file in it";
+    if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG)
+        hint = "make room, or write elsewhere";
+    throw Error(code_, what + ": " + std::strerror(reason), path_, hint);
 }
 
 AtomicFile::AtomicFile(const std::string& path, ExitCode code)

@@ -49,7 +49,7 @@ glm::dvec3 value_of(Parameters& parameters, const Parameter& given, const BrdfPa
     if (row.kind == BrdfParameterKind::choice) return {choice_of(given, row), 0, 0};
     if (row.kind == BrdfParameterKind::color) {
         const glm::dvec3 colour = parameters.colour_of(given);
-        parameters.check_range(colour, row.lowest, row.highest);
+        parameters.check_range(colour, row.lowest, row.highest, row.meaning);
         parameters.check_float(colour);
         return colour;
     }
@@ -57,7 +57,7 @@ glm::dvec3 value_of(Parameters& parameters, const Parameter& given, const BrdfPa
     if (row.kind == BrdfParameterKind::integer && value != std::floor(value))
         fail(given.values_place,
              "parameter \"" + given.name + "\" wants a whole number, has " + show(value));
-    parameters.check_range(value, row.lowest, row.highest);
+    parameters.check_range(value, row.lowest, row.highest, row.meaning);
     parameters.check_float(glm::dvec3(value));
     return {value, 0, 0};
 }

@@ -126,16 +126,17 @@ glm::dvec3 Parameters::colour(Names names, const glm::dvec3& fallback, ColourUse
     return parameter ? colour_of(*parameter, use) : fallback;
 }
 
-void Parameters::check_range(double value, double low, double high) const {
+void Parameters::check_range(double value, double low, double high, const std::string& hint) const {
     if (value >= low && value <= high) return;
     const std::string name = last_ ? "parameter \"" + last_->name + "\" of " + title_ : title_;
     std::string wants = " wants a value from " + show(low) + " to " + show(high);
     if (std::isinf(high)) wants = " wants " + show(low) + " or more";
-    fail(last_place(), name + wants + ", has " + show(value));
+    fail(last_place(), name + wants + ", has " + show(value), hint);
 }
 
-void Parameters::check_range(const glm::dvec3& value, double low, double high) const {
-    for (int i = 0; i < 3; ++i) check_range(value[i], low, high);
+void Parameters::check_range(const glm::dvec3& value, double low, double high,
+                             const std::string& hint) const {
+    for (int i = 0; i < 3; ++i) check_range(value[i], low, high, hint);
 }
 
 void Parameters::check_float(const glm::dvec3& value) const {

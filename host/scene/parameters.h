@@ -36,8 +36,9 @@ class Parameters {
     double number_of(const Parameter& parameter, bool infinite_allowed = false);
 
     // Fails unless low <= value <= high, at the parameter found last.
-    void check_range(double value, double low, double high) const;
-    void check_range(const glm::dvec3& value, double low, double high) const;
+    void check_range(double value, double low, double high, const std::string& hint = "") const;
+    void check_range(const glm::dvec3& value, double low, double high,
+                     const std::string& hint = "") const;
 
     // Fails for a value that the renderer's floats cannot hold.
     void check_float(const glm::dvec3& value) const;

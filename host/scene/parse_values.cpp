@@ -128,7 +128,9 @@ std::optional<double> parse_number(const Token& word) {
     } else if (error != std::errc()) {
         return {};
     }
-    if (std::isnan(value)) fail(word.place, "the number " + std::string(text) + " is not a number");
+    if (std::isnan(value))
+        fail(word.place, "the number " + std::string(text) + " is not a number",
+             "an exporter may have divided by zero: mend or leave out the shape");
     return value;
 }
 

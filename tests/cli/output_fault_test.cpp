@@ -30,9 +30,10 @@ TEST_F(Cli, UnwritableOutputIsFoundBeforeRendering) {
         SCOPED_TRACE(option);
         expect_fault(lobe({"render", "scene.pbrt", option, "none/out.exr"}, no_device()), 5,
                      "none/out.exr: cannot write a file in the folder none: "
-                     "No such file or directory");
+                     "No such file or directory",
+                     "make the folder first");
         expect_fault(lobe({"render", "scene.pbrt", option, "folder.exr"}, no_device()), 5,
-                     "folder.exr: cannot write the file: Is a directory");
+                     "folder.exr: cannot write the file: Is a directory", "name a file in it");
         expect_fault(lobe({"render", "scene.pbrt", option, "scene.pbrt/out.png"}, no_device()), 5,
                      "scene.pbrt/out.png: cannot write a file in the folder scene.pbrt: "
                      "Not a directory");
@@ -52,7 +53,8 @@ TEST_F(Cli, ReadOnlyFolder) {
     fs::create_directory(path("locked"));
     fs::permissions(path("locked"), fs::perms::owner_read | fs::perms::owner_exec);
     expect_fault(lobe({"render", "scene.pbrt", "-o", "locked/out.exr"}, no_device()), 5,
-                 "locked/out.exr: cannot write a file in the folder locked: Permission denied");
+                 "locked/out.exr: cannot write a file in the folder locked: Permission denied",
+                 "that you may write to");
     fs::permissions(path("locked"), fs::perms::owner_all);
 }
 

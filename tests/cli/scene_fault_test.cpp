@@ -25,9 +25,9 @@ class SceneFault : public Cli {
 
 TEST_F(SceneFault, MissingFile) {
     expect_fault(lobe({"render", "missing.pbrt", "-o", "out.exr"}), 3,
-                 "missing.pbrt: cannot read the file: No such file or directory");
+                 "missing.pbrt: cannot read the file: No such file or directory", "spelt");
     expect_fault(lobe({"render", ".", "-o", "out.exr"}), 3,
-                 ".: cannot read the file: Is a directory");
+                 ".: cannot read the file: Is a directory", "name a file in it");
     EXPECT_EQ(files(), "scene.pbrt");
 }
 
@@ -57,11 +57,13 @@ TEST_F(SceneFault, UnsupportedIsRefusedByName) {
 }
 
 TEST_F(SceneFault, NumbersOutOfRange) {
-    refuse("[-5 -5 0", "[nan -5 0", "scene.pbrt:13:34: the number nan is not a number");
+    refuse("[-5 -5 0", "[nan -5 0", "scene.pbrt:13:34: the number nan is not a number",
+           "mend or leave out the shape");
     refuse("[-5 -5 0", "[inf -5 0",
            "scene.pbrt:13:34: parameter \"P\" of type point3 has an infinite value");
     refuse("[100]", "[-2]",
-           "scene.pbrt:14:63: parameter \"n\" of material \"rational\" wants 0 or more, has -2");
+           "scene.pbrt:14:63: parameter \"n\" of material \"rational\" wants 0 or more, has -2",
+           "0 rough, infinity a mirror");
     refuse("0 2 3]", "0 2 4]", "scene.pbrt:13:92: vertex index 4 is not one of the 4 vertices");
 }
 

@@ -106,7 +106,9 @@ TEST(Syntax, RefusesValuesOfTheWrongType) {
 }
 
 TEST(Syntax, RefusesNumbersThatAreNotFinite) {
-    EXPECT_EQ(fault("Shape \"x\" \"point P\" [0 0 nan]"), "1:26 the number nan is not a number | ");
+    EXPECT_EQ(fault("Shape \"x\" \"point P\" [0 0 nan]"),
+              "1:26 the number nan is not a number | "
+              "an exporter may have divided by zero: mend or leave out the shape");
     EXPECT_EQ(fault("Shape \"x\" \"point P\" [0 -inf 0]"),
               "1:24 parameter \"P\" of type point has an infinite value | ");
     EXPECT_EQ(fault("Shape \"x\" \"float a\" 1e999"), "1:21 the number 1e999 is too large | ");
