@@ -160,6 +160,13 @@ class Packer {
     std::vector<PoweredLight> lights_;
 };
 
+void pack_filter_table(const FilterTable& table, LobeFrame& frame) {
+    frame.filter_table = 1;
+    frame.filter_negative_x = static_cast<float>(table.negative_x);
+    frame.filter_negative_y = static_cast<float>(table.negative_y);
+    frame.filter_weight = static_cast<float>(table.weight);
+}
+
 }  // namespace
 
 PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
@@ -169,9 +176,12 @@ PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
     packed.models = options.all_features ? options.all_models : models_in_use(scene);
     Packer(scene, packed).pack();
     packed.bvh = build_bvh(packed.triangles, packed.vertices, packed.spheres);
-    if (scene.filter.kind != FilterKind::box)
-        packed.filter_nodes = tabulate_filter(scene.filter).nodes;
     packed.frame = pack_frame(scene, packed.placement);
+    if (scene.filter.kind != FilterKind::box) {
+        FilterTable table = tabulate_filter(scene.filter);
+        pack_filter_table(table, packed.frame);
+        packed.filter_nodes = std::move(table.nodes);
+    }
     packed.frame.triangles = static_cast<LobeUint>(packed.triangles.size());
     packed.frame.lights = static_cast<LobeUint>(packed.lights.lights.size());
     return packed;

@@ -38,7 +38,7 @@ struct PackOptions {
 // Throws Error (scene) for a film or a scene past what 32-bit indices can name.
 PackedScene pack_scene(const Scene& scene, const PackOptions& options = {});
 
-// The camera, film and filter part of the frame.
+// The camera and film part of the frame, and the half widths of the filter.
 LobeFrame pack_frame(const Scene& scene, const Placement& placement);
 
 }  // namespace lobe

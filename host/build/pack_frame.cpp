@@ -4,7 +4,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include "base/error.h"
-#include "build/filter.h"
 #include "build/pack.h"
 
 namespace lobe {
@@ -66,22 +65,14 @@ void pack_camera(const Scene& scene, const Placement& placement, LobeFrame& fram
     frame.focal_distance = static_cast<float>(placement.length(scene.camera.focal_distance * unit));
 }
 
-void pack_filter(const Filter& filter, const FilterTable& table, LobeFrame& frame) {
-    frame.filter_table = filter.kind != FilterKind::box;
-    frame.filter_radius_x = static_cast<float>(filter.radius_x);
-    frame.filter_radius_y = static_cast<float>(filter.radius_y);
-    frame.filter_negative_x = static_cast<float>(table.negative_x);
-    frame.filter_negative_y = static_cast<float>(table.negative_y);
-    frame.filter_weight = static_cast<float>(table.weight);
-}
-
 }  // namespace
 
 LobeFrame pack_frame(const Scene& scene, const Placement& placement) {
     LobeFrame frame{};
     pack_film(scene.film, frame);
     pack_camera(scene, placement, frame);
-    pack_filter(scene.filter, tabulate_filter(scene.filter), frame);
+    frame.filter_radius_x = static_cast<float>(scene.filter.radius_x);
+    frame.filter_radius_y = static_cast<float>(scene.filter.radius_y);
     frame.max_depth = scene.max_depth;
     const glm::vec3 environment = scene.environment.value_or(glm::vec3(0));
     store(glm::dvec3(environment), frame.environment_r, frame.environment_g, frame.environment_b);

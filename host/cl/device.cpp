@@ -159,8 +159,7 @@ Device::Device(cl::Device device, DeviceInfo info)
     : info_(std::move(info)),
       device_(std::move(device)),
       context_(checked([&] { return cl::Context(device_); })),
-      queue_(
-          checked([&] { return cl::CommandQueue(context_, device_, CL_QUEUE_PROFILING_ENABLE); })),
+      queue_(checked([&] { return cl::CommandQueue(context_, device_); })),
       memory_(std::make_shared<MemoryAccount>(info_.global_memory, info_.largest_allocation)) {}
 
 void Device::finish() const {

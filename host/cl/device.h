@@ -44,7 +44,7 @@ std::size_t chosen_device(const std::vector<DeviceInfo>& devices, const std::str
 // shows no device or builds nothing without it. "" for other platforms.
 std::string cache_hint(const std::string& platform);
 
-// A device with a context and one in-order queue that keeps times. To be owned by main, never
+// A device with a context and one in-order queue. To be owned by main, never
 // static.
 class Device {
   public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calling a kernel: its arguments in order, and a launch whose time can be asked for.
+// Calling a kernel: its arguments in order, and a launch.
 #pragma once
 
 #include <CL/opencl.hpp>
@@ -48,15 +48,6 @@ inline cl::Event launch(const Device& device, const cl::Kernel& kernel, const cl
         cl::Event event;
         device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, global, local, nullptr, &event);
         return event;
-    });
-}
-
-// Waits for the work and gives the seconds that it ran on the device.
-inline double event_seconds(const cl::Event& event) {
-    return checked([&] {
-        event.wait();
-        return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
-                                          event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
     });
 }
 
