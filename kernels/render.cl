@@ -38,7 +38,7 @@ real3 trace_path(const Scene* scene, global const LobeFrame* frame, Ray ray, con
         global const uchar* prepared =
             scene->prepared + (ulong)surface.material * LOBE_PREPARED_BYTES;
         Scattering scattering = scatter(scene->materials[surface.material].model, prepared,
-                                        point.wo, wi, (real3)(v, choice.y));
+                                        scene->tables, point.wo, wi, (real3)(v, choice.y));
         radiance += throughput * sent_light(scene, &surface, &light, &scattering);
 
         real3 direction = to_world(&point.frame, scattering.next.wi);
@@ -59,15 +59,16 @@ kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
                    global const LobeVertex* vertices, global const LobeSphere* spheres,
                    global const LobeSurface* surfaces, global const LobeMaterial* materials,
                    global const uchar* prepared, global const LobeLight* lights,
-                   global const float* light_sums, global const float* filter,
-                   global LobeBlockSum* sums, global uint* status) {
+                   global const float* light_sums, global const float* tables,
+                   global const float* filter, global LobeBlockSum* sums, global uint* status) {
     uint x = get_global_id(0), y = get_global_id(1);
     if (x >= frame->window_width || y >= frame->rows) return;
     Scene scene = {{nodes, triangle_leaves, sphere_leaves},
                    {triangles, vertices, spheres, surfaces, frame->triangles},
                    {lights, light_sums, frame->lights},
                    materials,
-                   prepared};
+                   prepared,
+                   tables};
     uint2 pixel = (uint2)(frame->window_x + x, frame->window_y + frame->first_row + y);
     uint number = pixel.y * frame->film_width + pixel.x;
     LobeBlockSum sum[LOBE_REPLICATES] = {{0, 0, 0, 0}};

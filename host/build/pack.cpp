@@ -30,6 +30,7 @@ class Packer {
 
   private:
     void pack_materials() {
+        packed_.tables = scene_.tables;
         for (const Material& material : scene_.materials) {
             const auto& models = packed_.models;
             const auto model =

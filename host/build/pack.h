@@ -25,6 +25,7 @@ struct PackedScene {
     std::vector<LobeSurface> surfaces;
     std::vector<LobeMaterial> materials;
     std::vector<LobeRow> rows;
+    std::vector<float> tables;  // the scene's measured reflectance
     LightTable lights;
     std::vector<float> filter_nodes;
     LobeFrame frame;  // all but the launch's own rows and samples

@@ -37,6 +37,7 @@ struct Session::Buffers {
           prepared(d, s.materials.size() * LOBE_PREPARED_BYTES, "prepared materials"),
           lights(d, s.lights.lights, "lights"),
           light_sums(d, s.lights.sums, "light table"),
+          tables(d, s.tables, "measured reflectance"),
           filter(d, s.filter_nodes, "filter table"),
           sums(d, sum_count, "film"),
           status(d, std::vector<cl_uint>(LOBE_STATUS_COUNT, 0), "status") {}
@@ -54,6 +55,7 @@ struct Session::Buffers {
     Buffer<cl_uchar> prepared;
     Buffer<LobeLight> lights;
     Buffer<cl_float> light_sums;
+    Buffer<cl_float> tables;
     Buffer<cl_float> filter;
     Buffer<LobeBlockSum> sums;
     Buffer<cl_uint> status;
@@ -62,7 +64,7 @@ struct Session::Buffers {
         return frame.bytes() + nodes.bytes() + triangle_leaves.bytes() + sphere_leaves.bytes() +
                triangles.bytes() + vertices.bytes() + spheres.bytes() + surfaces.bytes() +
                materials.bytes() + rows.bytes() + prepared.bytes() + lights.bytes() +
-               light_sums.bytes() + filter.bytes() + sums.bytes() + status.bytes();
+               light_sums.bytes() + tables.bytes() + filter.bytes() + sums.bytes() + status.bytes();
     }
 };
 
@@ -94,8 +96,8 @@ void Session::upload(const PackedScene& scene) {
     prepare_materials(scene.materials.size());
     Buffers& b = *buffers_;
     set_args(render_, b.frame, b.nodes, b.triangle_leaves, b.sphere_leaves, b.triangles, b.vertices,
-             b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_sums, b.filter,
-             b.sums, b.status);
+             b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_sums, b.tables,
+             b.filter, b.sums, b.status);
     upload_seconds_ = watch.seconds();
 }
 

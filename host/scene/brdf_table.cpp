@@ -81,6 +81,7 @@ std::string fault_of(const BrdfParameter& row, const std::vector<BrdfParameter>&
 BrdfParameterKind kind_of(const std::string& word) {
     if (word == "color") return BrdfParameterKind::color;
     if (word == "number") return BrdfParameterKind::number;
+    if (word == "table") return BrdfParameterKind::table;
     return word == "integer" ? BrdfParameterKind::integer : BrdfParameterKind::choice;
 }
 
@@ -104,7 +105,7 @@ std::vector<std::array<float, 4>> BrdfTable::default_rows() const {
 
 BrdfTable parse_brdf_table(const std::string& file, const std::string& text) {
     static const std::regex form(
-        R"re(\s*P\(\s*(color|number|integer|choice)\s*,\s*([A-Za-z]\w*)\s*,\s*([-+.\w]+)\s*,)re"
+        R"re(\s*P\(\s*(color|number|integer|choice|table)\s*,\s*([A-Za-z]\w*)\s*,\s*([-+.\w]+)\s*,)re"
         R"re(\s*([-+.\w]+)\s*,\s*([-+.\w]+)\s*,\s*"([^"\n]*)"\s*\)[ \t]*)re");
     const Body body = find_body(text);
     if (body.name.empty())
@@ -120,9 +121,10 @@ BrdfTable parse_brdf_table(const std::string& file, const std::string& text) {
         std::smatch match;
         if (!std::regex_search(at, body.text.end(), match, form,
                                std::regex_constants::match_continuous))
-            throw Error(
-                ExitCode::scene, "a row of " + table.name + "_parameters is malformed", where,
-                "P(color|number|integer|choice, name, default, lowest, highest, \"meaning\")");
+            throw Error(ExitCode::scene, "a row of " + table.name + "_parameters is malformed",
+                        where,
+                        "P(color|number|integer|choice|table, name, default, lowest, highest, "
+                        "\"meaning\")");
         BrdfParameter row{kind_of(match[1]), match[2], bound(match[3]), bound(match[4]),
                           bound(match[5]),   {},       match[6]};
         if (row.kind == BrdfParameterKind::choice) row.choices = split_choices(row.meaning);

@@ -10,7 +10,7 @@ namespace lobe {
 
 class KernelText;
 
-enum class BrdfParameterKind { color, number, integer, choice };
+enum class BrdfParameterKind { color, number, integer, choice, table };
 
 struct BrdfParameter {
     BrdfParameterKind kind;

@@ -95,6 +95,7 @@ struct Scene {
     std::uint32_t samples_per_pixel = 16;
     std::uint32_t max_depth = 5;  // scattering events of a path
     std::vector<Material> materials;
+    std::vector<float> tables;  // measured reflectance; a `table` row holds an index as its bits
     std::vector<Shape> shapes;
     std::vector<PointLight> point_lights;
     std::vector<DistantLight> distant_lights;

@@ -13,8 +13,6 @@
 #include "core/fresnel.h"
 #include "core/microfacet.h"
 
-#define conductor_traits (LOBE_BRDF_RECIPROCAL | LOBE_BRDF_CONSERVES_ENERGY)
-
 // clang-format off
 #define conductor_parameters(P) \
     P(color, eta, 0.2, 0, 10000, "real part of the index of refraction") \
@@ -37,6 +35,17 @@ conductor_prepared conductor_prepare(conductor_values values) {
     m.smooth = larger(values.alpha_x, values.alpha_y) < R(1e-3);
     m.alpha = (real2)(larger(values.alpha_x, R(1e-4)), larger(values.alpha_y, R(1e-4)));
     return m;
+}
+
+int conductor_claims(conductor_values values) {
+    return LOBE_BRDF_RECIPROCAL | LOBE_BRDF_CONSERVES_ENERGY |
+           (conductor_prepare(values).smooth ? LOBE_BRDF_KEEPS_SAMPLES : 0);
+}
+
+real3 conductor_formula(conductor_values values, real3 wo, real3 wi) {
+    conductor_prepared m = conductor_prepare(values);
+    return fresnel_conductor(dot(wi, normalize(wo + wi)), m.eta, m.k) *
+           ggx_formula(wo, wi, m.alpha);
 }
 
 // Fresnel's factor at the half vector, whose cosine to either unit direction is half their sum.

@@ -35,6 +35,7 @@ int prepare_material(uint model, global const LobeRow* rows, global uchar* prepa
 #define LOBE_SCATTER(NAME)                                            \
     case LOBE_MODEL_##NAME: {                                         \
         NAME##_prepared m = *(global const NAME##_prepared*)prepared; \
+        LOBE_BRDF_ATTACH(NAME, m, tables)                             \
         if (wi.z > 0) {                                               \
             scattering.reflected = NAME##_eval(&m, wo, wi);           \
             scattering.pdf = NAME##_pdf(&m, wo, wi);                  \
@@ -45,7 +46,8 @@ int prepare_material(uint model, global const LobeRow* rows, global uchar* prepa
 
 // One visit to the material answers both questions: what goes towards wi (asked only if wi.z > 0)
 // and where to go next. wo.z > 0; both directions in the shading frame.
-Scattering scatter(uint model, global const uchar* prepared, real3 wo, real3 wi, real3 u) {
+Scattering scatter(uint model, global const uchar* prepared, LobeTables tables, real3 wo, real3 wi,
+                   real3 u) {
     Scattering scattering;
     scattering.reflected = (real3)(0);
     scattering.pdf = 0;

@@ -8,8 +8,6 @@
 #include "brdf/brdf.h"
 #include "core/warp.h"
 
-#define lambert_traits (LOBE_BRDF_RECIPROCAL | LOBE_BRDF_CONSERVES_ENERGY)
-
 // clang-format off
 #define lambert_parameters(P) \
     P(color, kd, 0.25, 0, inf, "reflectance divided by pi, 1/sr")
@@ -25,6 +23,13 @@ lambert_prepared lambert_prepare(lambert_values values) {
     m.kd = values.kd;
     return m;
 }
+
+int lambert_claims(lambert_values values) {
+    return LOBE_BRDF_RECIPROCAL | LOBE_BRDF_KEEPS_SAMPLES |
+           LOBE_BRDF_CONSERVES_BELOW(REAL_PI * values.kd);
+}
+
+real3 lambert_formula(lambert_values values, real3 wo, real3 wi) { return values.kd; }
 
 real3 lambert_eval(const lambert_prepared* m, real3 wo, real3 wi) { return m->kd * wi.z; }
 

@@ -6,8 +6,6 @@
 
 #include "brdf/lobe.h"
 
-#define mirror_traits (LOBE_BRDF_RECIPROCAL | LOBE_BRDF_CONSERVES_ENERGY)
-
 // clang-format off
 #define mirror_parameters(P) \
     P(color, kr, 0.9, 0, inf, "reflectance")
@@ -22,6 +20,10 @@ mirror_prepared mirror_prepare(mirror_values values) {
     mirror_prepared m;
     m.kr = values.kr;
     return m;
+}
+
+int mirror_claims(mirror_values values) {
+    return LOBE_BRDF_RECIPROCAL | LOBE_BRDF_KEEPS_SAMPLES | LOBE_BRDF_CONSERVES_BELOW(values.kr);
 }
 
 real3 mirror_eval(const mirror_prepared* m, real3 wo, real3 wi) { return (real3)(0); }

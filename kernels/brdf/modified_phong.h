@@ -15,8 +15,6 @@
 #include "brdf/cosine_power.h"
 #include "core/warp.h"
 
-#define modified_phong_traits (LOBE_BRDF_RECIPROCAL | LOBE_BRDF_CONSERVES_ENERGY)
-
 // clang-format off
 #define modified_phong_parameters(P) \
     P(color, kd, 0.25, 0, inf, "diffuse part, 1/sr (normalize: diffuse albedo)") \
@@ -48,6 +46,19 @@ modified_phong_prepared modified_phong_prepare(modified_phong_values values) {
     // Beta((n+1)/2, 3/2) (n + 2) / 2 pi, within 3 % for all n.
     m.grazing = m.mirror ? 0 : R(0.5) / sqrt(fma(R(1.57), m.n, 1));
     return m;
+}
+
+int modified_phong_claims(modified_phong_values values) {
+    modified_phong_prepared m = modified_phong_prepare(values);
+    real albedo = m.mirror ? 1 : REAL_TWO_PI / (m.n + 2);
+    return LOBE_BRDF_RECIPROCAL | LOBE_BRDF_KEEPS_SAMPLES |
+           LOBE_BRDF_CONSERVES_BELOW(REAL_PI * m.kd + albedo * m.ks);
+}
+
+real3 modified_phong_formula(modified_phong_values values, real3 wo, real3 wi) {
+    modified_phong_prepared m = modified_phong_prepare(values);
+    real c = dot((real3)(-wo.x, -wo.y, wo.z), wi);
+    return c <= 0 ? m.kd : m.kd + m.ks * pow(c, values.n);
 }
 
 // Probabilities of the lobe and of the cosine; between its ends the lobe's albedo is near linear.

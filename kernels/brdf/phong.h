@@ -17,8 +17,6 @@
 #include "brdf/cosine_power.h"
 #include "core/warp.h"
 
-#define phong_traits 0
-
 // clang-format off
 #define phong_parameters(P) \
     P(color, kd, 0.25, 0, inf, "diffuse part, 1/sr (normalize: diffuse albedo)") \
@@ -49,6 +47,20 @@ phong_prepared phong_prepare(phong_values values) {
     m.specular = mean_component(m.ks) * (m.mirror ? 1 : albedo);
     m.edge = R(0.8) * sqrt(m.n + 1);
     return m;
+}
+
+// Nothing: it is not reciprocal, and with any lobe at all gives grazing light back many times over.
+int phong_claims(phong_values values) {
+    int lambert = is_black(values.ks);
+    real3 albedo = values.normalize ? values.kd : REAL_PI * values.kd;
+    return LOBE_BRDF_KEEPS_SAMPLES |
+           (lambert ? LOBE_BRDF_RECIPROCAL | LOBE_BRDF_CONSERVES_BELOW(albedo) : 0);
+}
+
+real3 phong_formula(phong_values values, real3 wo, real3 wi) {
+    phong_prepared m = phong_prepare(values);
+    real c = dot((real3)(-wo.x, -wo.y, wo.z), wi);
+    return c <= 0 ? m.kd : m.kd + m.ks * (pow(c, values.n) / wi.z);
 }
 
 // Probabilities of the lobe and of the cosine. The visible part of the lobe, and with it the

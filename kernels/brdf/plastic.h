@@ -16,8 +16,6 @@
 #include "core/microfacet.h"
 #include "core/warp.h"
 
-#define plastic_traits (LOBE_BRDF_RECIPROCAL | LOBE_BRDF_CONSERVES_ENERGY)
-
 // clang-format off
 #define plastic_parameters(P) \
     P(color, kd, 0.25, 0, inf, "diffuse part, 1/sr") \
@@ -42,6 +40,16 @@ plastic_prepared plastic_prepare(plastic_values values) {
     m.specular = mean_component(m.ks);
     m.diffuse = REAL_PI * mean_component(m.kd);
     return m;
+}
+
+int plastic_claims(plastic_values values) {
+    return LOBE_BRDF_RECIPROCAL | LOBE_BRDF_CONSERVES_BELOW(REAL_PI * values.kd + values.ks);
+}
+
+real3 plastic_formula(plastic_values values, real3 wo, real3 wi) {
+    real facets = ggx_formula(wo, wi, (real2)(larger(values.alpha, R(1e-3))));
+    return values.kd +
+           values.ks * (facets * fresnel_dielectric(dot(wi, normalize(wo + wi)), values.eta));
 }
 
 // Probabilities of facets and cosine, as if all facets lay flat.

@@ -22,8 +22,6 @@
 #include "brdf/rational_lobe.h"
 #include "core/warp.h"
 
-#define rational_traits (LOBE_BRDF_RECIPROCAL | LOBE_BRDF_CONSERVES_ENERGY)
-
 // clang-format off
 #define rational_parameters(P) \
     P(color, kd, 0.25, 0, inf, "diffuse part, 1/sr (normalize: diffuse albedo)") \
@@ -66,6 +64,25 @@ rational_prepared rational_prepare(rational_values values) {
     m.grazing = m.mirror ? 0 : R(0.5) * real_exp(R(-0.17) * real_log1p(13 * m.n));
     if (m.lobe == RATIONAL_ABS) m.grazing *= 2;
     return m;
+}
+
+int rational_claims(rational_values values) {
+    rational_prepared m = rational_prepare(values);
+    if (m.lobe == RATIONAL_LISTING)
+        return LOBE_BRDF_KEEPS_SAMPLES | LOBE_BRDF_CONSERVES_BELOW(REAL_PI * (m.kd + m.ks));
+    real albedo = m.mirror ? 1 : REAL_TWO_PI * rational_moments(m.n).k;
+    return LOBE_BRDF_RECIPROCAL | LOBE_BRDF_KEEPS_SAMPLES |
+           LOBE_BRDF_CONSERVES_BELOW(REAL_PI * m.kd + albedo * m.ks);
+}
+
+// The 2019 paper's arithmetic; the normalisation is ours.
+real3 rational_formula(rational_values values, real3 wo, real3 wi) {
+    rational_prepared m = rational_prepare(values);
+    real c = dot((real3)(-wo.x, -wo.y, wo.z), wi);
+    if (m.lobe == RATIONAL_LISTING) c = 2 * wo.z * wo.z - 1;
+    if (m.lobe != 0) c = fabs(c);
+    if (c <= 0) return m.kd;
+    return m.kd + m.ks * (c / (values.n - (values.n - 1) * c));
 }
 
 // Probabilities of the lobe and of the cosine; between its ends the lobe's albedo is near linear.

@@ -32,6 +32,18 @@ real ggx_eval(real3 wo, real3 wi, real2 alpha) {
     return ggx_density(wo + wi, alpha) / (2 * below);
 }
 
+// The same in the textbook's form, D G2 / (4 zo zi) with G2 = 1 / (1 + Lambda_o + Lambda_i) and
+// angles by their tangents: what ggx_eval is checked against. Without zi times.
+real ggx_formula(real3 wo, real3 wi, real2 alpha) {
+    real3 h = normalize(wo + wi);
+    real slope = (square(h.x / alpha.x) + square(h.y / alpha.y)) / (h.z * h.z);
+    real density = 1 / (REAL_PI * alpha.x * alpha.y * square(square(h.z)) * square(1 + slope));
+    real to = (square(alpha.x * wo.x) + square(alpha.y * wo.y)) / (wo.z * wo.z);
+    real ti = (square(alpha.x * wi.x) + square(alpha.y * wi.y)) / (wi.z * wi.z);
+    real lambda = R(0.5) * (sqrt(1 + to) - 1) + R(0.5) * (sqrt(1 + ti) - 1);
+    return density / ((1 + lambda) * 4 * wo.z * wi.z);
+}
+
 // Density of wi from ggx_sample, per solid angle.
 real ggx_pdf(real3 wo, real3 wi, real2 alpha) {
     return ggx_density(wo + wi, alpha) / (2 * (wo.z + ggx_stretched(wo, alpha)));

@@ -17,6 +17,7 @@ typedef struct {
     Lights lights;
     global const LobeMaterial* materials;
     global const uchar* prepared;  // LOBE_PREPARED_BYTES a material
+    LobeTables tables;             // measured reflectance
 } Scene;
 
 #endif
