@@ -19,9 +19,8 @@ struct Options {
 
 int run(const Options& options) {
     set_quiet(options.common.quiet);
-    const KernelText kernels = open_kernels(options.common);
-    const std::vector<BrdfTable> models = read_brdf_tables(kernels);
-    const Scene scene = read_scene_for(options.scene, models);
+    KernelText kernels = open_kernels(options.common);
+    const Scene scene = read_scene_for(options.scene, kernels);
     const FeatureSet features =
         options.scene.features == "all" ? all_features() : derive_features(scene);
     nlohmann::ordered_json json = {{"features", nlohmann::ordered_json::array()}};

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
@@ -11,12 +12,14 @@
 #include "app/command.h"
 #include "app/numbers.h"
 #include "app/scene_options.h"
+#include "app/user_models.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "base/signals.h"
 #include "base/timer.h"
+#include "lab/model_fault.h"
 #include "render/render.h"
 #include "report/image_io.h"
 #include "report/picture.h"
@@ -30,7 +33,7 @@ struct Options {
     SceneOptions scene;
     std::vector<std::string> outputs;
     std::uint64_t seed = 0;
-    double exposure = 1;
+    double exposure = 1, watchdog = 60;
     bool strict = false;
     std::string command_line;
 };
@@ -46,6 +49,10 @@ void add_options(CLI::App& verb, Options& o) {
     verb.add_option("--exposure", o.exposure, "factor for PNG pictures (1)")
         ->check(real_number(1e-30, 1e30, "from 1e-30 to 1e30"))
         ->type_name("NUMBER");
+    verb.add_option("--watchdog", o.watchdog,
+                    "end a launch that takes so many seconds more than it should (60); 0 never")
+        ->check(real_number(0, 1e9, "from 0 to 1e9"))
+        ->type_name("SECONDS");
     verb.add_flag("--strict", o.strict, "exit with 6 if any sample is not finite");
 }
 
@@ -102,7 +109,7 @@ PictureFacts picture_facts(const RenderReport& r, const LobeFrame& frame,
     a["lobe:sceneHash"] = r.scene_hash;
     a["lobe:imageHash"] = r.hash;
     a["lobe:device"] = r.device.name + ", " + r.device.platform + " " + r.device.driver;
-    a["lobe:nonfinite"] = static_cast<int>(r.status.nonfinite());
+    if (r.status) a["lobe:nonfinite"] = static_cast<int>(r.status->nonfinite());
     a["lobe:partial"] = static_cast<int>(r.partial);
     a["lobe:version"] = r.version;
     a["lobe:commandLine"] = command_line;
@@ -140,11 +147,11 @@ void warn_of_status(const RenderStatus& status) {
 }
 
 // Everything up to the first launch: the scene as the device wants it, each step timed.
-PackedScene prepare(const Options& options, const KernelText& kernels, RenderReport& report,
+PackedScene prepare(const Options& options, KernelText& kernels, RenderReport& report,
                     RenderPlan& plan) {
     Stopwatch watch;
-    const std::vector<BrdfTable> models = read_brdf_tables(kernels);
-    const Scene scene = read_scene_for(options.scene, models);
+    const Scene scene = read_scene_for(options.scene, kernels);
+    check_trust(scene, options.scene.trust_scene_kernels);
     if (report.outputs.empty()) {
         report.outputs = {standard_output_name(scene)};
         check_outputs(report.outputs, "");
@@ -155,14 +162,12 @@ PackedScene prepare(const Options& options, const KernelText& kernels, RenderRep
     plan.samples = scene.samples_per_pixel;
     report.seconds.parse = watch.restart();
 
-    PackOptions pack;
-    pack.all_features = options.scene.features == "all";
-    for (const BrdfTable& model : models) pack.all_models.push_back(model.name);
-    PackedScene packed = pack_scene(scene, pack);
+    PackedScene packed =
+        pack_scene(scene, {read_brdf_tables(kernels), options.scene.features == "all"});
     if (packed.lights.lights.empty() && !scene.environment)
         warn("the scene has no light: the picture will be black", scene.path);
     report.features = packed.features;
-    report.models = packed.models;
+    for (const BrdfTable& model : packed.models) report.models.push_back(model.name);
     report.triangles = packed.triangles.size();
     report.spheres = packed.spheres.size();
     report.lights = packed.lights.lights.size();
@@ -182,29 +187,97 @@ void check_host_memory(const Session& session, const RenderPlan& plan) {
                     "", "render a part with --crop, or fewer samples");
 }
 
-RenderOutcome render_watched(Session& session, const RenderPlan& plan) {
-    RenderWatch shown;
-    return render(session, plan, std::ref(shown), [] { return stop_signal() != 0; });
+int stopped_early() {
+    note("stopped before the first sample: nothing is written");
+    return stop_exit_code();
 }
 
-void take_outcome(const RenderOutcome& outcome, const Session& session, RenderReport& report) {
-    report.seconds.compile = session.compile_seconds();
-    report.seconds.upload = session.upload_seconds();
-    report.seconds.render = outcome.seconds;
-    report.picture = estimate(outcome.film);
-    report.hash = image_hash(report.picture);
-    report.partial = outcome.stopped;
-    report.status = session.status();
-    report.width = session.width();
-    report.height = session.height();
-    report.device_bytes = session.device_bytes();
+// The user's own models are compiled with all the others: a fault of theirs is told as theirs.
+std::unique_ptr<Session> open_session(const Device& device, const KernelText& kernels,
+                                      const PackedScene& packed, Watchdog& watchdog) {
+    SessionOptions options;
+    options.watchdog = &watchdog;
+    try {
+        return std::make_unique<Session>(device, kernels, packed, options);
+    } catch (const Error& error) {
+        throw users_fault(error, kernels);
+    }
 }
+
+// A render from its first launch to its last line of output.
+struct Job {
+    const Options& options;
+    RenderReport& report;
+    const PackedScene& packed;
+    ImageIo& images;
+    const Stopwatch& total;
+    const Session* session = nullptr;
+    const Film* film = nullptr;  // complete blocks
+    Stopwatch rendering;
+
+    RenderOutcome render_watched(Session& ready, const RenderPlan& plan) {
+        session = &ready;
+        RenderWatch shown;
+        const auto progress = [&](const RenderProgress& p) {
+            film = &p.film;
+            shown(p);
+        };
+        rendering.restart();
+        return render(ready, plan, progress, [] { return stop_signal() != 0; });
+    }
+
+    void take(const Film& rendered, double seconds, bool stopped) {
+        report.seconds.compile = session->compile_seconds();
+        report.seconds.upload = session->upload_seconds();
+        report.seconds.render = seconds;
+        report.picture = estimate(rendered);
+        report.hash = image_hash(report.picture);
+        report.partial = stopped;
+        report.width = session->width();
+        report.height = session->height();
+        report.device_bytes = session->device_bytes();
+    }
+
+    void write() {
+        write_pictures(report, packed.frame, options, images);
+        report.seconds.total = total.seconds();
+        if (options.common.json != "-" && !options.common.quiet)
+            std::fputs(to_text(report).c_str(), stdout);
+        if (!options.common.json.empty())
+            write_json(options.common.json, to_json(report).dump(2) + "\n");
+    }
+
+    // For the watchdog, while the other thread waits for a launch that never ends and cannot be
+    // cancelled: the picture so far, and the end of the process.
+    [[noreturn]] void end_hung(double seconds) {
+        show_live_line("");
+        std::string hint = "nothing was complete, nothing is written";
+        try {
+            if (film && film->samples()) {
+                take(*film, rendering.seconds(), true);
+                write();
+                hint = "the picture of the samples before it is written";
+            }
+        } catch (const std::exception& error) {
+            hint = std::string("the picture so far cannot be written: ") + error.what();
+        }
+        for (const BrdfTable& model : packed.models)
+            if (model.own) hint += "; do the loops of " + model.file + " end for all directions?";
+        const Error error(ExitCode::device,
+                          "a launch did not end within " + std::to_string(std::lround(seconds)) +
+                              " s: the render is ended",
+                          report.scene, hint);
+        std::fflush(stdout);
+        std::fprintf(stderr, "%s\n", error.message().c_str());
+        _exit(static_cast<int>(error.code()));
+    }
+};
 
 int run(const Options& options) {
     set_quiet(options.common.quiet);
     install_signal_handlers();
     const Stopwatch total;
-    const KernelText kernels = open_kernels(options.common);
+    KernelText kernels = open_kernels(options.common);
     RenderReport report;
     report.version = LOBE_VERSION;
     report.seed = options.seed;
@@ -216,25 +289,22 @@ int run(const Options& options) {
     ImageIo images;  // opens its module while the device renders
     const Device device = open_device(options.common.device);
     report.device = device.info();
-    Session session(device, kernels, packed);
-    session.set_seed(options.seed);
-    check_host_memory(session, plan);
-    take_outcome(render_watched(session, plan), session, report);
-    warn_of_status(report.status);
-    if (report.picture.samples == 0) {  // a black picture is not worth the old one
-        note("stopped before the first sample: nothing is written");
-        return stop_exit_code();
-    }
-    write_pictures(report, packed.frame, options, images);
-    session.keep_program();
-    report.seconds.total = total.seconds();
-
-    if (options.common.json != "-" && !options.common.quiet)
-        std::fputs(to_text(report).c_str(), stdout);
-    if (!options.common.json.empty())
-        write_json(options.common.json, to_json(report).dump(2) + "\n");
+    if (!try_user_models(device, kernels, packed.models, options.common)) return stopped_early();
+    Job job{options, report, packed, images, total};
+    Watchdog watchdog(options.watchdog, [&](double seconds) { job.end_hung(seconds); });
+    plan.watchdog = &watchdog;
+    const auto session = open_session(device, kernels, packed, watchdog);
+    session->set_seed(options.seed);
+    check_host_memory(*session, plan);
+    const RenderOutcome outcome = job.render_watched(*session, plan);
+    job.take(outcome.film, outcome.seconds, outcome.stopped);
+    report.status = session->status();
+    warn_of_status(*report.status);
+    if (report.picture.samples == 0) return stopped_early();  // not worth the old picture
+    job.write();
+    session->keep_program();
     if (report.partial) return stop_exit_code();
-    if (options.strict && report.status.nonfinite()) return static_cast<int>(ExitCode::nonfinite);
+    if (options.strict && report.status->nonfinite()) return static_cast<int>(ExitCode::nonfinite);
     return 0;
 }
 

@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
         {"render", lobe::add_render_command(app, command_line)},
         {"features", lobe::add_features_command(app)},
         {"devices", lobe::add_devices_command(app)},
+        {"brdf", lobe::add_brdf_command(app)},
     };
     app.set_version_flag("--version", "lobe " LOBE_VERSION);
     for (CLI::App* verb : app.get_subcommands({}))

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/numbers.h"
+#include "app/user_models.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "scene/read.h"
@@ -122,6 +123,10 @@ void add_scene_options(CLI::App& verb, SceneOptions& o) {
         ->check(CLI::IsMember({"auto", "v3", "v4"}));
     verb.add_option("--features", o.features, "compile in what the scene needs, or all there is")
         ->check(CLI::IsMember({"auto", "all"}));
+    verb.add_option("--brdf", o.brdfs, "a reflectance model of your own; may be repeated")
+        ->type_name("FILE.cl");
+    verb.add_flag("--trust-scene-kernels", o.trust_scene_kernels,
+                  "run models whose files the scene itself names: they are programs");
     verb.add_option("--replace", o.replace, "render materials of a type with another model")
         ->type_name("TYPE=MODEL");
     verb.add_option("--n", o.replace_n,
@@ -144,11 +149,13 @@ void apply(const SceneOptions& o, Scene& scene) {
 
 }  // namespace
 
-Scene read_scene_for(const SceneOptions& o, const std::vector<BrdfTable>& models) {
+Scene read_scene_for(const SceneOptions& o, KernelText& kernels) {
     const ReadOptions read = read_options(o);
     Scene none;
     apply(o, none);  // a bad option is told before a long scene is read
-    Scene scene = read_scene(o.path, models, read);
+    add_user_models(kernels, o.brdfs);
+    Scene scene = read_scene(o.path, read_brdf_tables(kernels), read);
+    for (const UserModel& model : scene.models) kernels.add(model.table.file, model.text);
     apply(o, scene);
     for (const std::string& warning : scene.warnings) warn(warning);
     return scene;

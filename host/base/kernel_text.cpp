@@ -37,14 +37,17 @@ KernelText::KernelText(std::string folder) : folder_(std::move(folder)) {
                     folder_, "give --kernel-dir a copy of lobe's kernels/ folder");
 }
 
-bool KernelText::has(const std::string& path) const {
+bool KernelText::has(const std::string& path) const { return added(path) || has_file(path); }
+
+bool KernelText::has_file(const std::string& path) const {
     if (folder_.empty()) return embedded_text(path) != nullptr;
     std::error_code error;
     return stays_inside(path) && fs::is_regular_file(fs::path(folder_) / path, error);
 }
 
 std::string KernelText::read(const std::string& path) const {
-    if (!has(path)) throw Error(ExitCode::device, "there is no kernel file \"" + path + "\"");
+    if (added(path)) return added_.at(path);
+    if (!has_file(path)) throw Error(ExitCode::device, "there is no kernel file \"" + path + "\"");
     if (folder_.empty()) return embedded_text(path);
     return read_file((fs::path(folder_) / path).string(), ExitCode::device);
 }
@@ -64,7 +67,9 @@ std::vector<std::string> KernelText::list(const std::string& prefix) const {
                 take(fs::relative(entry.path(), folder_).generic_string());
         }
     }
+    for (const auto& row : added_) take(row.first);
     std::sort(paths.begin(), paths.end());
+    paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
     return paths;
 }
 

@@ -80,14 +80,14 @@ std::vector<std::string> models_in_use(const Scene& scene) {
     return {models.begin(), models.end()};
 }
 
-std::string scene_header(const FeatureSet& features, const std::vector<std::string>& models) {
+std::string scene_header(const FeatureSet& features, const std::vector<BrdfTable>& models) {
     std::string text = "// What this scene needs of the kernel, and no more.\n";
     for (const FeatureState& state : features)
         text += "#define LOBE_HAS_" + state.name + (state.in ? " 1\n" : " 0\n");
     text += "#define LOBE_BRDFS(X)";
-    for (const std::string& model : models) text += " X(" + model + ")";
+    for (const BrdfTable& model : models) text += " X(" + model.name + ")";
     text += "\n";
-    for (const std::string& model : models) text += "#include \"brdf/" + model + ".h\"\n";
+    for (const BrdfTable& model : models) text += "#include \"" + model.file + "\"\n";
     return text;
 }
 

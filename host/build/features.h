@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/brdf_table.h"
 #include "scene/scene.h"
 
 namespace lobe {
@@ -32,10 +33,10 @@ FeatureSet derive_features(const Scene& scene);
 // All features, for a general kernel: the picture is the same to the bit.
 FeatureSet all_features();
 
-// The models that the scene's materials use, sorted: a material names its model by place.
+// The names of the models that the scene's materials use, sorted.
 std::vector<std::string> models_in_use(const Scene& scene);
 
 // The text of lobe_scene.h, which tells the kernel what to leave out and which models to include.
-std::string scene_header(const FeatureSet& features, const std::vector<std::string>& models);
+std::string scene_header(const FeatureSet& features, const std::vector<BrdfTable>& models);
 
 }  // namespace lobe

@@ -34,7 +34,9 @@ class Packer {
         for (const Material& material : scene_.materials) {
             const auto& models = packed_.models;
             const auto model =
-                std::find(models.begin(), models.end(), material.brdf) - models.begin();
+                std::find_if(models.begin(), models.end(),
+                             [&](const auto& table) { return table.name == material.brdf; }) -
+                models.begin();
             packed_.materials.push_back(
                 {static_cast<LobeUint>(model), static_cast<LobeUint>(packed_.rows.size()), 0, 0});
             for (const auto& row : material.rows)
@@ -168,13 +170,30 @@ void pack_filter_table(const FilterTable& table, LobeFrame& frame) {
     frame.filter_weight = static_cast<float>(table.weight);
 }
 
+// The tables of the models that the scene uses.
+std::vector<BrdfTable> tables_in_use(const Scene& scene, const std::vector<BrdfTable>& models) {
+    std::vector<BrdfTable> used;
+    for (const std::string& name : models_in_use(scene)) {
+        const auto found = std::find_if(models.begin(), models.end(),
+                                        [&](const BrdfTable& table) { return table.name == name; });
+        if (found != models.end()) {
+            used.push_back(*found);
+        } else {
+            used.emplace_back();
+            used.back().name = name;
+            used.back().file = "brdf/" + name + ".h";
+        }
+    }
+    return used;
+}
+
 }  // namespace
 
 PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
     PackedScene packed;
     packed.placement = place_scene(scene);
     packed.features = options.all_features ? all_features() : derive_features(scene);
-    packed.models = options.all_features ? options.all_models : models_in_use(scene);
+    packed.models = options.all_features ? options.models : tables_in_use(scene, options.models);
     Packer(scene, packed).pack();
     packed.bvh = build_bvh(packed.triangles, packed.vertices, packed.spheres);
     packed.frame = pack_frame(scene, packed.placement);

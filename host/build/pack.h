@@ -17,7 +17,7 @@ namespace lobe {
 struct PackedScene {
     Placement placement;
     FeatureSet features;
-    std::vector<std::string> models;  // a material's model is a place in this list
+    std::vector<BrdfTable> models;  // a material's model is a place in this list
     Bvh bvh;
     std::vector<LobeTriangle> triangles;
     std::vector<LobeVertex> vertices;
@@ -32,11 +32,12 @@ struct PackedScene {
 };
 
 struct PackOptions {
-    bool all_features = false;            // compile everything in
-    std::vector<std::string> all_models;  // with all_features: every model there is
+    std::vector<BrdfTable> models;  // all there are
+    bool all_features = false;      // compile everything in, all models too
 };
 
-// Throws Error (scene) for a film or a scene past what 32-bit indices can name.
+// Throws Error (scene) for a film or a scene past what 32-bit indices can name. A model that
+// `options` does not have is taken to be a file of lobe's, brdf/NAME.h.
 PackedScene pack_scene(const Scene& scene, const PackOptions& options = {});
 
 // The camera and film part of the frame, and the half widths of the filter.

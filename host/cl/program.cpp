@@ -30,16 +30,6 @@ std::string complete_text(const std::string& source, const ProgramOptions& optio
     return text + source;
 }
 
-// All that a binary depends on, with lengths so that no two lists of parts read alike.
-std::string binary_key(const DeviceInfo& info, const std::string& text,
-                       const std::string& options) {
-    Sha256 sum;
-    for (const std::string& part :
-         {text, options, info.platform, info.name, info.vendor, info.version, info.driver})
-        sum.add(std::to_string(part.size()) + ":" + part);
-    return sum.hex();
-}
-
 // Keeps the text and the log of a failed build in the cache folder, or else in a new one of the
 // system's; gives the file's name, or "" if none can be written.
 std::string keep_evidence(const std::string& text, const std::string& options,
@@ -92,6 +82,17 @@ cl::Kernel Program::kernel(const std::string& name) const {
     return checked([&] { return cl::Kernel(program, name.c_str()); });
 }
 
+// All that a binary depends on, with lengths so that no two lists of parts read alike.
+std::string program_key(const DeviceInfo& info, const std::string& source,
+                        const ProgramOptions& options) {
+    Sha256 sum;
+    for (const std::string& part :
+         {complete_text(source, options), build_options(info), info.platform, info.name,
+          info.vendor, info.version, info.driver})
+        sum.add(std::to_string(part.size()) + ":" + part);
+    return sum.hex();
+}
+
 Program build_program(const Device& device, const std::string& source,
                       const ProgramOptions& options) {
     const DeviceInfo& info = device.info();
@@ -101,7 +102,7 @@ Program build_program(const Device& device, const std::string& source,
     const std::string text = complete_text(source, options);
     const std::string flags = build_options(info);
     Program program;
-    program.key = binary_key(info, text, flags);
+    program.key = program_key(info, source, options);
     program.cached = load_binary(device, program, flags);
     if (!program.cached) {
         program.program = checked([&] { return cl::Program(device.context(), text); });

@@ -8,6 +8,7 @@
 namespace lobe {
 
 class Device;
+struct DeviceInfo;
 
 struct ProgramOptions {
     bool double_precision = false;  // `real` is double: for tests and oracles
@@ -23,6 +24,10 @@ struct Program {
     // Throws Error (device) if the program has no such kernel.
     cl::Kernel kernel(const std::string& name) const;
 };
+
+// The key of the program that build_program makes of this text.
+std::string program_key(const DeviceInfo& info, const std::string& source,
+                        const ProgramOptions& options = {});
 
 // Builds the text (see flatten) for the device, or takes the binary of an earlier run. Options
 // never weaken the arithmetic. Throws Error (device) at the FILE:LINE:COL of the first error; its

@@ -2,11 +2,13 @@
 #include "cl/source.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <sstream>
 #include <vector>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/kernel_text.h"
 
 namespace lobe {
@@ -85,10 +87,28 @@ class Flattener {
         const auto found = generated_.find(path);
         if (found != generated_.end()) return found->second;
         if (kernels_.has(path)) return kernels_.read(path);
+        if (neighbours_.count(path)) return read_file(path, ExitCode::scene);
         const std::string near = nearest_name(path, kernels_.list(""));
-        throw Error(ExitCode::device, "there is no kernel file " + quoted(path), where,
+        const bool own = !stack_.empty() && is_own(stack_.back());
+        throw Error(own ? ExitCode::scene : ExitCode::device,
+                    "there is no kernel file " + quoted(path) + (own ? ", nor one beside it" : ""),
+                    where,
                     near.empty() ? "kernel files are named from the root of kernels/"
                                  : "did you mean " + quoted(near) + "?");
+    }
+
+    bool is_own(const std::string& path) const {
+        return kernels_.added(path) || neighbours_.count(path);
+    }
+
+    // What a file means by a name: a kernel, or for a user's own file one that lies beside it.
+    std::string resolve(const std::string& name, const std::string& from) {
+        const bool kernel = kernels_.has(name) && !kernels_.added(name);
+        if (generated_.count(name) || kernel || !is_own(from)) return name;
+        const std::filesystem::path beside = std::filesystem::path(from).parent_path() / name;
+        std::error_code error;
+        if (!std::filesystem::is_regular_file(beside, error)) return name;
+        return *neighbours_.insert(beside.string()).first;
     }
 
     void add_lines(const std::string& path, const std::string& text, bool conditional) {
@@ -114,8 +134,10 @@ class Flattener {
                 out_ << line << '\n';
                 continue;
             }
-            const std::string where = path + ":" + std::to_string(number);
-            add(included_name(directive.rest, where), conditional || depth > guard_depth, where);
+            const std::string where =
+                path + ":" + std::to_string(number) + ":" + std::to_string(line.find('#') + 1);
+            add(resolve(included_name(directive.rest, where), path),
+                conditional || depth > guard_depth, where);
             out_ << "#line " << number + 1 << ' ' << quoted(path) << '\n';
         }
     }
@@ -130,6 +152,7 @@ class Flattener {
 
     const KernelText& kernels_;
     const std::map<std::string, std::string>& generated_;
+    std::set<std::string> neighbours_;  // files beside the user's own
     std::set<std::string> seen_;
     std::vector<std::string> stack_;
     std::ostringstream out_;

@@ -10,10 +10,11 @@ namespace lobe {
 class KernelText;
 
 // The file `path` of the kernels with every `#include "x"` replaced by the file x, named from the
-// kernels' root. Texts in `generated` ("lobe_scene.h", a user's "brdf/velvet.cl") take precedence
-// over files. Headers come once, .def tables every time; `#line` keeps build messages pointing at
-// the file and line that a person can edit. Throws Error (device) with FILE:LINE for a missing
-// file.
+// kernels' root. Texts in `generated` ("lobe_scene.h") take precedence over files. A text that was
+// added to the kernels may also include files that lie beside it, and they theirs; a kernel's name
+// wins. Headers come once, .def tables every time; `#line` keeps build messages pointing at the
+// file and line that a person can edit. Throws Error with FILE:LINE:COL for a missing file: device,
+// or scene where a user's own file asks for it.
 std::string flatten(const KernelText& kernels, const std::string& path,
                     const std::map<std::string, std::string>& generated = {});
 

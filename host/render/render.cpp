@@ -16,15 +16,14 @@ class LaunchSize {
         : grain_(session.row_grain()),
           most_(session.max_rows()),
           seconds_(plan.launch_seconds),
-          fixed_(plan.rows_per_launch) {
-        // The first launch may carry the compilation: small, and its time is not counted.
-        rows_ = std::clamp(grain_, 1u, most_);
-    }
+          fixed_(plan.rows_per_launch) {}
 
     std::uint32_t rows() const { return fixed_ ? std::min(fixed_, most_) : rows_; }
 
     void took(std::uint32_t rows, std::uint32_t samples, double seconds) {
-        if (++launches_ == 1 || seconds <= 0) return;
+        // The first launch may carry the compilation: one row, and its time is not counted.
+        if (++launches_ == 1) rows_ = std::clamp(grain_, 1u, most_);
+        if (launches_ == 1 || seconds <= 0) return;
         const double per_row = seconds / (static_cast<double>(rows) * samples) * LOBE_BLOCK;
         const double wanted = std::min(seconds_ / per_row, 4.0 * rows_);  // grow step by step
         const double rounded = std::ceil(wanted / grain_) * grain_;
@@ -65,7 +64,11 @@ struct Work {
             if (outcome.stopped) break;
             const std::uint32_t rows = std::min(size.rows(), session.height() - row);
             const Stopwatch launch;
-            session.render_rows(first, samples, row, rows, sums.data() + row * row_sums);
+            {
+                const Watchdog::Launch watched(plan.watchdog,
+                                               double{rows} * session.width() * samples);
+                session.render_rows(first, samples, row, rows, sums.data() + row * row_sums);
+            }
             size.took(rows, samples, launch.seconds());
             row += rows;
             if (row < session.height()) report(row, first, samples, false);

@@ -13,6 +13,7 @@ struct RenderPlan {
     std::uint32_t samples = 16;         // per pixel
     std::uint32_t rows_per_launch = 0;  // 0: chosen by the clock; any gives the same bits
     double launch_seconds = 0.2;        // aim of that choice: how long a signal may wait
+    Watchdog* watchdog = nullptr;       // looks after every launch, if there is one
 };
 
 struct RenderProgress {

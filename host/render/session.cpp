@@ -126,6 +126,7 @@ void Session::prepare_materials(std::size_t count) {
     Buffers& b = *buffers_;
     cl::Kernel prepare = program_.kernel("prepare");
     set_args(prepare, b.materials, b.rows, b.prepared, static_cast<cl_uint>(count), b.status);
+    const Watchdog::Launch watched(options_.watchdog, 0);
     launch(device_, prepare, cl::NDRange(count), cl::NDRange(1));
     device_.finish();
 }

@@ -10,6 +10,7 @@
 #include "build/pack.h"
 #include "cl/buffer.h"
 #include "cl/program.h"
+#include "render/watchdog.h"
 #include "shared/status.h"
 
 namespace lobe {
@@ -19,6 +20,7 @@ class KernelText;
 struct SessionOptions {
     bool double_precision = false;        // the oracle build
     std::array<unsigned, 2> local{8, 8};  // work-group: any gives the same bits
+    Watchdog* watchdog = nullptr;         // looks after the preparation of the materials
 };
 
 // The status counters of shared/status.h.

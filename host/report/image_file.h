@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture as it lies in a file, and the two functions of the module that knows file formats.
+// A picture as it lies in a file, and the functions of the module that knows file formats and
+// fonts.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,8 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "report/drawing.h"
 
 namespace lobe {
 
@@ -20,11 +23,14 @@ struct ImageFile {
     std::map<std::string, std::variant<int, double, std::string>> attributes;
 };
 
-// The module's functions; both return an empty string or what went wrong.
+// The module's functions; `error` stays empty or says what went wrong.
 extern "C" {
 using WriteImage = void (*)(const char* path, const char* format, const ImageFile& image,
                             std::string& error);
 using ReadImage = void (*)(const char* path, ImageFile& image, std::string& error);
+// Paints texts, whose unit is here the pixel, in the font of a file.
+using DrawTexts = void (*)(ImageFile& image, const char* font, const std::vector<Text>& texts,
+                           std::string& error);
 }
 
 }  // namespace lobe

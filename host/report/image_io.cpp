@@ -17,6 +17,7 @@ namespace lobe {
 struct ImageIo::Module {
     WriteImage write = nullptr;
     ReadImage read = nullptr;
+    DrawTexts draw_texts = nullptr;
     std::string error;
 
     Module() {
@@ -33,6 +34,7 @@ struct ImageIo::Module {
         error.clear();
         write = reinterpret_cast<WriteImage>(dlsym(handle, "lobe_write_image"));
         read = reinterpret_cast<ReadImage>(dlsym(handle, "lobe_read_image"));
+        draw_texts = reinterpret_cast<DrawTexts>(dlsym(handle, "lobe_draw_texts"));
     }
 };
 
@@ -43,7 +45,7 @@ ImageIo::~ImageIo() = default;
 
 ImageIo::Module& ImageIo::module() {
     if (!module_) module_ = opening_.get();
-    if (!module_->write || !module_->read)
+    if (!module_->write || !module_->read || !module_->draw_texts)
         throw Error(ExitCode::output,
                     "the image module lobe_image.so cannot be opened: " + module_->error, "",
                     "it belongs beside the program, and OpenImageIO must be installed");
@@ -104,6 +106,13 @@ ImageFile ImageIo::read(const std::string& path) {
     module().read(path.c_str(), image, error);
     if (!error.empty()) throw Error(ExitCode::scene, "cannot read the picture: " + error, path);
     return image;
+}
+
+void ImageIo::draw_texts(ImageFile& image, const std::string& font,
+                         const std::vector<Text>& texts) {
+    std::string error;
+    module().draw_texts(image, font.c_str(), texts, error);
+    if (!error.empty()) throw Error(ExitCode::output, "cannot draw text: " + error, font);
 }
 
 }  // namespace lobe

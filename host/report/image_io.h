@@ -23,6 +23,10 @@ class ImageIo {
     // Throws Error (scene) if the file cannot be read.
     ImageFile read(const std::string& path);
 
+    // Paints texts, whose unit is the pixel, on an image of three channels, each with a white rim.
+    // Throws Error (output) if the font cannot be used.
+    void draw_texts(ImageFile& image, const std::string& font, const std::vector<Text>& texts);
+
   private:
     struct Module;
     Module& module();

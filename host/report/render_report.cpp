@@ -72,8 +72,8 @@ Json to_json(const RenderReport& r) {
             {"samples_per_s", samples_per_second(r)},
             {"error", error_json(r.picture)},
             {"features", features_json(r)},
-            {"nonfinite", r.status.nonfinite()},
-            {"negative", r.status.negative()},
+            {"nonfinite", r.status ? Json(r.status->nonfinite()) : Json(nullptr)},
+            {"negative", r.status ? Json(r.status->negative()) : Json(nullptr)},
             {"partial", r.partial},
             {"outputs", r.outputs},
             {"image_hash", r.hash}};

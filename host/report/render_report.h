@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "build/features.h"
@@ -26,7 +27,7 @@ struct RenderReport {
     std::string hash;  // of the picture
     FeatureSet features;
     std::vector<std::string> models;
-    RenderStatus status;
+    std::optional<RenderStatus> status;  // unknown where the device no longer answers
     std::size_t triangles = 0, spheres = 0, lights = 0, device_bytes = 0;
     bool partial = false;
     std::vector<std::string> outputs;

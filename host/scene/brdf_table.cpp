@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <regex>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/kernel_text.h"
@@ -85,7 +86,35 @@ BrdfParameterKind kind_of(const std::string& word) {
     return word == "integer" ? BrdfParameterKind::integer : BrdfParameterKind::choice;
 }
 
+// The first run of // lines after the licence line, which has an SPDX tag.
+std::string doc_block(const std::string& text) {
+    std::string doc;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.empty() && line.back() == '\r') line.pop_back();
+        if (line.find("SPDX-License-Identifier") != std::string::npos) continue;
+        if (line.compare(0, 2, "//") != 0) {
+            if (doc.empty() && line.empty()) continue;
+            break;
+        }
+        doc += (line.compare(0, 3, "// ") == 0 ? line.substr(3) : line.substr(2)) + "\n";
+    }
+    return doc;
+}
+
+// Whether a function of that name is written at the beginning of a line.
+bool defines(const std::string& text, const std::string& function) {
+    return text.find("\nreal3 " + function + "(") != std::string::npos;
+}
+
 }  // namespace
+
+std::string BrdfTable::title() const {
+    std::string sentence = doc.substr(0, doc.find("\n\n"));
+    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+    const std::size_t end = sentence.find(". ");
+    return end == std::string::npos ? sentence : sentence.substr(0, end + 1);
+}
 
 int BrdfTable::find(const std::string& parameter) const {
     for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -109,15 +138,24 @@ BrdfTable parse_brdf_table(const std::string& file, const std::string& text) {
         R"re(\s*([-+.\w]+)\s*,\s*([-+.\w]+)\s*,\s*"([^"\n]*)"\s*\)[ \t]*)re");
     const Body body = find_body(text);
     if (body.name.empty())
-        throw Error(ExitCode::scene, "no table NAME_parameters(P) with its rows", file + ":1",
+        throw Error(ExitCode::scene, "no table NAME_parameters(P) with its rows", file + ":1:1",
                     "kernels/brdf/README.md shows the form");
-    BrdfTable table{body.name, file, {}};
+    BrdfTable table{body.name, file, doc_block(text), defines(text, body.name + "_formula"), {}};
     std::size_t line = body.line;
+    auto at = body.text.begin(), line_start = at;
+    const auto advance = [&](const auto& to) {
+        for (; at != to; ++at) {
+            if (*at != '\n') continue;
+            ++line;
+            line_start = at + 1;
+        }
+    };
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
-    for (auto at = body.text.begin();;) {
-        for (; at != body.text.end() && blank(*at); ++at) line += *at == '\n';
+    for (;;) {
+        advance(std::find_if_not(at, body.text.end(), blank));
         if (at == body.text.end()) break;
-        const std::string where = file + ":" + std::to_string(line);
+        const std::string where =
+            file + ":" + std::to_string(line) + ":" + std::to_string(at - line_start + 1);
         std::smatch match;
         if (!std::regex_search(at, body.text.end(), match, form,
                                std::regex_constants::match_continuous))
@@ -132,8 +170,7 @@ BrdfTable parse_brdf_table(const std::string& file, const std::string& text) {
         if (!fault.empty())
             throw Error(ExitCode::scene, fault + " (" + table.name + "'s " + row.name + ")", where);
         table.parameters.push_back(std::move(row));
-        line += static_cast<std::size_t>(std::count(match[0].first, match[0].second, '\n'));
-        at = match[0].second;
+        advance(match[0].second);
     }
     return table;
 }
@@ -141,11 +178,14 @@ BrdfTable parse_brdf_table(const std::string& file, const std::string& text) {
 std::vector<BrdfTable> read_brdf_tables(const KernelText& kernels) {
     static const std::regex defines(R"(#define[ \t]+[a-z][a-z0-9_]*_parameters\(P\))");
     std::vector<BrdfTable> tables;
-    for (const std::string& path : kernels.list("brdf/")) {
+    for (const std::string& path : kernels.list("")) {
+        const bool own = kernels.added(path);
+        const bool header = path.size() > 2 && path.compare(path.size() - 2, 2, ".h") == 0;
+        if (!own && !(header && path.compare(0, 5, "brdf/") == 0)) continue;
         const std::string text = kernels.read(path);
-        if (path.size() > 2 && path.compare(path.size() - 2, 2, ".h") == 0 &&
-            std::regex_search(text, defines))
-            tables.push_back(parse_brdf_table(path, text));
+        if (!std::regex_search(text, defines)) continue;
+        tables.push_back(parse_brdf_table(path, text));
+        tables.back().own = own;
     }
     std::sort(tables.begin(), tables.end(),
               [](const BrdfTable& a, const BrdfTable& b) { return a.name < b.name; });

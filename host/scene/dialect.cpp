@@ -38,8 +38,8 @@ const std::set<std::string> v3_materials{"matte",  "plastic", "metal",       "mi
                                          "glass",  "uber",    "substrate",   "translucent",
                                          "disney", "fourier", "kdsubsurface"};
 const std::set<std::string> v4_materials{
-    "diffuse",        "coateddiffuse",       "conductor", "coatedconductor", "dielectric",
-    "thindielectric", "diffusetransmission", "interface", "measured"};
+    "diffuse",    "coateddiffuse",  "conductor",           "coatedconductor",
+    "dielectric", "thindielectric", "diffusetransmission", "interface"};
 
 const std::set<Pair> v3_parameters{
     {"PixelFilter", "xwidth"},      {"PixelFilter", "ywidth"},

@@ -81,9 +81,9 @@ void SceneReader::make_named_material(const Statement& s) {
     Parameters parameters(s, context_);
     const Parameter* given = parameters.find({"type"});
     const std::string type = parameters.text({"type"}, "");
-    if (!given)
+    if (!given && !parameters.find({"brdf"}))
         fail(s.place, s.title() + " lacks its parameter \"type\"", "\"string type\" \"matte\"");
-    Material material = understand(s, type, given->values_place);
+    Material material = understand(s, type, given ? given->values_place : s.place);
     Names& names = names_to_change();
     const auto old = names.materials.find(name.text);
     if (old == names.materials.end()) {

@@ -129,7 +129,6 @@ const std::vector<std::string> not_yet{
     "glass",
     "hair",
     "kdsubsurface",
-    "measured",
     "mix",
     "substrate",
     "subsurface",
@@ -150,19 +149,26 @@ const std::vector<std::string> not_yet{
 
 }  // namespace
 
+bool is_pbrt_material(const std::string& name) { return readers.count(name) > 0; }
+
 Material read_material(const Statement& statement, const std::string& type, const Place& type_place,
                        const ReadContext& context) {
     Parameters parameters(statement, context, "material \"" + type + "\"");
     parameters.ignore({"type"});
     Material material{"", {}, type, to_string(statement.place)};
+    const std::string file = parameters.text({"brdf"}, "");
     const auto reader = readers.find(type);
-    if (reader != readers.end()) {
+    if (const Parameter* given = parameters.find({"brdf"})) {
+        const BrdfTable& table = model_of_file(file, given->values_place, context);
+        material.rows = read_model(parameters, table, context).rows();
+        material.brdf = table.name;
+    } else if (reader != readers.end()) {
         material.rows = reader->second(parameters, context).rows();
         material.brdf = type == "matte" || type == "diffuse" ? "lambert"
                         : type == "metal"                    ? "conductor"
                                                              : type;
     } else if (const BrdfTable* table = find_model(context, type)) {
-        material.rows = read_model(parameters, *table).rows();
+        material.rows = read_model(parameters, *table, context).rows();
         material.brdf = table->name;
     } else {
         refuse_type(type, type_place, context);

@@ -10,8 +10,8 @@
 namespace lobe {
 
 // The material that a Material or MakeNamedMaterial directive describes; `type` is "plastic" or the
-// name of a model. Throws Error (scene) for types and parameters that are unknown, out of range or
-// not supported yet.
+// name of a model, or anything where "string brdf" names the file of one. Throws Error (scene) for
+// types and parameters that are unknown, out of range or not supported yet.
 Material read_material(const Statement& statement, const std::string& type, const Place& type_place,
                        const ReadContext& context);
 
@@ -39,8 +39,20 @@ const BrdfTable& model_table(const ReadContext& context, const std::string& name
 // The model a material type names, compared without case and underscores, or null.
 const BrdfTable* find_model(const ReadContext& context, const std::string& type);
 
+// The model of a file that the scene names, read at its first use. Throws Error (scene) as
+// read_user_model does.
+const BrdfTable& model_of_file(const std::string& file, const Place& place,
+                               const ReadContext& context);
+
+// Whether pbrt has a material of that name which lobe reads.
+bool is_pbrt_material(const std::string& name);
+
 // Reads the parameters of one of our own models.
-MaterialRows read_model(Parameters& parameters, const BrdfTable& table);
+MaterialRows read_model(Parameters& parameters, const BrdfTable& table, const ReadContext& context);
+
+// Reads the file that a parameter of kind `table` names, once, into the scene's tables; gives the
+// value of its row.
+glm::dvec3 read_table(const Parameter& given, const ReadContext& context);
 
 // Puts another model in a material's place where `--replace` asks for it.
 void replace_model(Material& material, const ReadContext& context, const Place& place);

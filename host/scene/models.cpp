@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Our own reflectance models as materials, read by their tables, and --replace.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "base/error.h"
@@ -11,17 +10,9 @@ namespace lobe {
 
 namespace {
 
-// "ModifiedPhong", "modified_phong" and "modifiedphong" are one name.
-std::string plain(const std::string& name) {
-    std::string out;
-    for (const char c : name)
-        if (c != '_') out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return out;
-}
-
 const BrdfTable* find_plain(const std::vector<BrdfTable>& models, const std::string& name) {
     for (const BrdfTable& table : models)
-        if (plain(table.name) == plain(name)) return &table;
+        if (same_model_name(table.name, name)) return &table;
     return nullptr;
 }
 
@@ -45,7 +36,9 @@ double choice_of(const Parameter& given, const BrdfParameter& row) {
     return static_cast<double>(found - row.choices.begin());
 }
 
-glm::dvec3 value_of(Parameters& parameters, const Parameter& given, const BrdfParameter& row) {
+glm::dvec3 value_of(Parameters& parameters, const Parameter& given, const BrdfParameter& row,
+                    const ReadContext& context) {
+    if (row.kind == BrdfParameterKind::table) return read_table(given, context);
     if (row.kind == BrdfParameterKind::choice) return {choice_of(given, row), 0, 0};
     if (row.kind == BrdfParameterKind::color) {
         const glm::dvec3 colour = parameters.colour_of(given);
@@ -78,6 +71,8 @@ void MaterialRows::set(const std::string& name, const glm::dvec3& colour) {
 const BrdfTable& model_table(const ReadContext& context, const std::string& name) {
     for (const BrdfTable& table : context.models)
         if (table.name == name) return table;
+    for (const UserModel& model : context.scene.models)
+        if (model.table.name == name) return model.table;
     throw Error(ExitCode::scene,
                 "the model '" + name + "' is missing from the kernels' brdf folder",
                 context.scene.path, choices(model_names(context.models)));
@@ -87,20 +82,56 @@ const BrdfTable* find_model(const ReadContext& context, const std::string& type)
     return find_plain(context.models, type);
 }
 
-MaterialRows read_model(Parameters& parameters, const BrdfTable& table) {
+MaterialRows read_model(Parameters& parameters, const BrdfTable& table,
+                        const ReadContext& context) {
     MaterialRows rows(table);
     for (const BrdfParameter& row : table.parameters)
         if (const Parameter* given = parameters.find({row.name.c_str()}))
-            rows.set(row.name, value_of(parameters, *given, row));
-    parameters.refuse({"brdf"}, "kernels given by the scene are not there yet");
+            rows.set(row.name, value_of(parameters, *given, row, context));
+        else if (row.kind == BrdfParameterKind::table)
+            fail(parameters.place(),
+                 parameters.title() + " lacks its parameter \"" + row.name + "\"", row.meaning);
     return rows;
+}
+
+const BrdfTable& model_of_file(const std::string& file, const Place& place,
+                               const ReadContext& context) {
+    const std::string path = resolve_path(context, file, place);
+    if (const BrdfTable* const given = find_user_model(context.models, path)) return *given;
+    std::vector<BrdfTable> models = context.models;
+    for (const UserModel& model : context.scene.models) models.push_back(model.table);
+    if (const BrdfTable* const seen = find_user_model(models, path))
+        return model_table(context, seen->name);
+    UserModel model = read_user_model(path, models);
+    model.where = to_string(place);
+    context.scene.models.push_back(std::move(model));
+    return context.scene.models.back().table;
 }
 
 // The model that --replace names.
 static const BrdfTable& replacement(const ReadContext& context, const std::string& name) {
-    if (const BrdfTable* const table = find_plain(context.models, name)) return *table;
+    if (const BrdfTable* const table = find_plain(context.models, name)) {
+        for (const BrdfParameter& row : table->parameters)
+            if (row.kind == BrdfParameterKind::table)
+                throw Error(ExitCode::usage, "--replace cannot take the model '" + name + "'", "",
+                            "it needs a file, " + row.name + ": give it in the scene");
+        return *table;
+    }
     throw Error(ExitCode::usage, "--replace names an unknown model '" + name + "'", "",
-                suggestion(name, model_names(context.models)));
+                suggestion(name, model_names(context.models)) + "; --brdf FILE.cl adds your own");
+}
+
+// What --replace carries over must be in the range of the model that takes it.
+static void check_replaced(const std::array<float, 4>& values, const BrdfParameter& row,
+                           const std::string& model, const Place& place) {
+    for (std::size_t i = 0; i < (row.kind == BrdfParameterKind::color ? 3 : 1); ++i)
+        if (!(values[i] >= static_cast<float>(row.lowest) &&
+              values[i] <= static_cast<float>(row.highest)))
+            fail(place,
+                 "--replace gives " + row.name + " = " + show(values[i]) + " to the model '" +
+                     model + "', which takes it from " + show(row.lowest) + " to " +
+                     show(row.highest),
+                 row.name == "n" ? "set it with --n" : "change the scene's value");
 }
 
 void replace_model(Material& material, const ReadContext& context, const Place& place) {
@@ -122,14 +153,14 @@ void replace_model(Material& material, const ReadContext& context, const Place& 
         const int from = old.find(row.name);
         const bool same =
             from >= 0 && old.parameters[static_cast<std::size_t>(from)].kind == row.kind;
-        const bool is_n = row.name == "n";
-        if (same && !(is_n && context.options.replace_n)) {
+        if (row.name == "n" && context.options.replace_n) {
+            fresh.rows[i] = {static_cast<float>(*context.options.replace_n), 0, 0, 0};
+        } else if (same) {
             fresh.rows[i] = material.rows[static_cast<std::size_t>(from)];
         } else if (row.name == "ks") {
             fresh.rows[i] = {0, 0, 0, 0};
-        } else if (is_n) {
-            fresh.rows[i] = {static_cast<float>(context.options.replace_n.value_or(100)), 0, 0, 0};
         }
+        check_replaced(fresh.rows[i], row, pair->second, place);
     }
     material = std::move(fresh);
 }

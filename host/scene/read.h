@@ -18,7 +18,7 @@ struct ReadOptions {
     // their own. From plastic: kd = Kd / pi, ks = Ks, n = replace_n; from matte: kd = Kd / pi, ks =
     // 0.
     std::vector<std::pair<std::string, std::string>> replace;
-    std::optional<double> replace_n;  // wins over a value of the scene; 100 where there is none
+    std::optional<double> replace_n;  // wins over the scene's n, or the model's default
 };
 
 // Throws Error (scene) with FILE:LINE:COL, the offending value, and the choices or nearest name.

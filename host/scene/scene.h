@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "scene/user_model.h"
 
 namespace lobe {
 
@@ -95,7 +98,9 @@ struct Scene {
     std::uint32_t samples_per_pixel = 16;
     std::uint32_t max_depth = 5;  // scattering events of a path
     std::vector<Material> materials;
+    std::vector<UserModel> models;  // those whose files the scene itself names
     std::vector<float> tables;  // measured reflectance; a `table` row holds an index as its bits
+    std::map<std::string, std::uint32_t> table_places;  // where each file's table begins
     std::vector<Shape> shapes;
     std::vector<PointLight> point_lights;
     std::vector<DistantLight> distant_lights;

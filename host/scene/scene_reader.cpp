@@ -86,6 +86,9 @@ Scene SceneReader::read() {
     run();
     check_end();
     drop_unused_materials();
+    for (const UserModel& model : scene_.models) hash_.add(model.text);
+    hash_.add(scene_.tables.data(), scene_.tables.size() * sizeof(float));
+    drop_unused_models();
     check_replacements(context_);
     scene_.hash = hash_.hex();
     return std::move(scene_);
@@ -193,6 +196,15 @@ void SceneReader::drop_unused_materials() {
         shape.material = to;
     }
     scene_.materials = std::move(kept);
+}
+
+void SceneReader::drop_unused_models() {
+    const auto unused = [&](const UserModel& model) {
+        return std::none_of(scene_.materials.begin(), scene_.materials.end(),
+                            [&](const Material& m) { return m.brdf == model.table.name; });
+    };
+    auto& models = scene_.models;
+    models.erase(std::remove_if(models.begin(), models.end(), unused), models.end());
 }
 
 Scene read_scene(const std::string& path, const std::vector<BrdfTable>& models,

@@ -58,6 +58,7 @@ class SceneReader {
     void leave_file();
     void check_end();
     void drop_unused_materials();
+    void drop_unused_models();
 
     // directives_transform.cpp
     void identity(const Statement&);

@@ -44,6 +44,7 @@ int conductor_claims(conductor_values values) {
 
 real3 conductor_formula(conductor_values values, real3 wo, real3 wi) {
     conductor_prepared m = conductor_prepare(values);
+    if (m.smooth) return (real3)(0);
     return fresnel_conductor(dot(wi, normalize(wo + wi)), m.eta, m.k) *
            ggx_formula(wo, wi, m.alpha);
 }

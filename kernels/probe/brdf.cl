@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Asks any model that keeps the contract of brdf/brdf.h for arrays of inputs. The generated
 // "probe_brdf.h" includes the model, defines LOBE_PROBE_BRDF as its name and LOBE_PROBE_FORMULA as
-// whether it prints its formula. Vectors are three numbers each; `rows` holds one parameter set
-// after the other, the set of item i is i / items_per_set.
+// whether it prints its formula. Vectors are three numbers each; `rows` holds one set of parameters
+// after the other, and item i is asked of set set_of[i].
 #include "brdf/brdf.h"
 #include "probe_brdf.h"
 
@@ -11,31 +11,39 @@
 #define PROBE(function) PROBE_NAME(LOBE_PROBE_BRDF, function)
 #define PROBE_ATTACH(model, m, tables) LOBE_BRDF_ATTACH(model, m, tables)
 
-PROBE(_values)
-probe_values(global const LobeRow* rows, uint rows_per_set, uint items_per_set) {
-    uint set = (uint)get_global_id(0) / items_per_set;
-    return PROBE(_load)(rows + set * rows_per_set);
+// A set an item: writes its prepared form. out: its claims, bytes of the prepared form
+kernel void brdf_prepare(global const LobeRow* rows, uint rows_per_set, global uchar* prepared,
+                         global uint* out) {
+    uint i = get_global_id(0);
+    PROBE(_values) values = PROBE(_load)(rows + i * rows_per_set);
+    *(global PROBE(_prepared)*)(prepared + i * LOBE_PREPARED_BYTES) = PROBE(_prepare)(values);
+    out[2 * i] = PROBE(_claims)(values);
+    out[2 * i + 1] = sizeof(PROBE(_prepared));
+}
+
+PROBE(_prepared) probe_prepared(global const uchar* prepared, uint set, LobeTables tables) {
+    PROBE(_prepared) m = *(global const PROBE(_prepared)*)(prepared + set * LOBE_PREPARED_BYTES);
+    PROBE_ATTACH(LOBE_PROBE_BRDF, m, tables)
+    return m;
 }
 
 // out: f cos theta_i (3), pdf
-kernel void brdf_eval(global const LobeRow* rows, uint rows_per_set, uint items_per_set,
-                      global const float* tables, global const real* wo, global const real* wi,
+kernel void brdf_eval(global const uchar* prepared, global const float* tables,
+                      global const uint* set_of, global const real* wo, global const real* wi,
                       global real* out) {
     uint i = get_global_id(0);
-    PROBE(_prepared) m = PROBE(_prepare)(probe_values(rows, rows_per_set, items_per_set));
-    PROBE_ATTACH(LOBE_PROBE_BRDF, m, tables)
+    PROBE(_prepared) m = probe_prepared(prepared, set_of[i], tables);
     real3 f = PROBE(_eval)(&m, vload3(i, wo), vload3(i, wi));
     vstore3(f, 0, out + 4 * i);
     out[4 * i + 3] = PROBE(_pdf)(&m, vload3(i, wo), vload3(i, wi));
 }
 
 // out: wi (3), pdf, weight (3), delta
-kernel void brdf_sample(global const LobeRow* rows, uint rows_per_set, uint items_per_set,
-                        global const float* tables, global const real* wo, global const real* u,
+kernel void brdf_sample(global const uchar* prepared, global const float* tables,
+                        global const uint* set_of, global const real* wo, global const real* u,
                         global real* out) {
     uint i = get_global_id(0);
-    PROBE(_prepared) m = PROBE(_prepare)(probe_values(rows, rows_per_set, items_per_set));
-    PROBE_ATTACH(LOBE_PROBE_BRDF, m, tables)
+    PROBE(_prepared) m = probe_prepared(prepared, set_of[i], tables);
     BrdfSample sample = PROBE(_sample)(&m, vload3(i, wo), vload3(i, u));
     vstore3(sample.wi, 0, out + 8 * i);
     out[8 * i + 3] = sample.pdf;
@@ -45,17 +53,10 @@ kernel void brdf_sample(global const LobeRow* rows, uint rows_per_set, uint item
 
 #if LOBE_PROBE_FORMULA
 // out: f (3) as the source prints it
-kernel void brdf_formula(global const LobeRow* rows, uint rows_per_set, uint items_per_set,
+kernel void brdf_formula(global const LobeRow* rows, uint rows_per_set, global const uint* set_of,
                          global const real* wo, global const real* wi, global real* out) {
     uint i = get_global_id(0);
-    PROBE(_values) values = probe_values(rows, rows_per_set, items_per_set);
+    PROBE(_values) values = PROBE(_load)(rows + set_of[i] * rows_per_set);
     vstore3(PROBE(_formula)(values, vload3(i, wo), vload3(i, wi)), i, out);
 }
 #endif
-
-// A set an item. out: its claims, bytes of the prepared form
-kernel void brdf_claims(global const LobeRow* rows, uint rows_per_set, global uint* out) {
-    uint i = get_global_id(0);
-    out[2 * i] = PROBE(_claims)(PROBE(_load)(rows + i * rows_per_set));
-    out[2 * i + 1] = sizeof(PROBE(_prepared));
-}

@@ -13,7 +13,7 @@ namespace {
 
 const double kd = 0.25 / static_cast<double>(pi);
 
-double albedo(const BrdfProbe<float>& probe, const BrdfValues& values, const vec3l& wo,
+double albedo(const ModelProbe<float>& probe, const BrdfValues& values, const vec3l& wo,
               Long width) {
     const HemisphereGrid grid(wo, rings_of_width(width));
     const auto out = probe.eval({values}, std::vector<vec3l>(grid.nodes.size(), wo), grid.nodes);
@@ -22,13 +22,13 @@ double albedo(const BrdfProbe<float>& probe, const BrdfValues& values, const vec
     return static_cast<double>(sum);
 }
 
-double albedo_at(const BrdfProbe<float>& probe, const BrdfValues& values, double degrees,
+double albedo_at(const ModelProbe<float>& probe, const BrdfValues& values, double degrees,
                  double n) {
     return albedo(probe, values, direction(radians(degrees)), 1 / std::max(n, 1.0));
 }
 
 // Albedo of what light from wi reflects to all sides: the adjoint, f cos theta_o.
-double adjoint_albedo(const BrdfProbe<float>& probe, const BrdfValues& values, double degrees,
+double adjoint_albedo(const ModelProbe<float>& probe, const BrdfValues& values, double degrees,
                       double n) {
     const vec3l wi = direction(radians(degrees));
     const HemisphereGrid grid(wi, rings_of_width(1 / std::max(n, 1.0)));
@@ -76,7 +76,7 @@ TEST(BrdfAlbedo, FurnaceTable) {
     const char* models[] = {"rational", "modified_phong", "phong"};
     const double degrees[] = {0, 45, 80, 89};
     for (int model = 0; model < 3; ++model) {
-        const BrdfProbe<float> probe(models[model]);
+        const ModelProbe<float> probe(models[model]);
         for (const FurnaceRow& row : furnace) {
             // The models take albedos: kd = .25 and ks = .5.
             const BrdfValues values = {{"kd", .25}, {"ks", .5}, {"n", row.n}, {"normalize", 1}};
@@ -98,7 +98,7 @@ TEST(BrdfAlbedo, UnnormalisedAtNormalIncidence) {
                 {100, .032207805903},
                 {1e4, 7.7128539918e-4},
                 {1e6, 1.23155495046e-5}};
-    const BrdfProbe<float> rational("rational"), modified("modified_phong"), phong("phong");
+    const ModelProbe<float> rational("rational"), modified("modified_phong"), phong("phong");
     for (const Row& row : rows) {
         const BrdfValues values = {{"kd", 0}, {"ks", 1}, {"n", row.n}};
         EXPECT_NEAR(albedo_at(rational, values, 0, row.n) / (two_pi * row.rational_k), 1, 3e-5)
@@ -111,7 +111,7 @@ TEST(BrdfAlbedo, UnnormalisedAtNormalIncidence) {
 
 // At 90 degrees, and for n = 0 at all angles, there are closed forms for the rational lobe.
 TEST(BrdfAlbedo, RationalClosedForms) {
-    const BrdfProbe<float> probe("rational");
+    const ModelProbe<float> probe("rational");
     const double at_horizon[][2] = {
         {1, 2.0 / 3}, {10, .181572936601}, {100, .0281937424538}, {1e3, .00330491819267}};
     for (const auto& row : at_horizon)
@@ -137,7 +137,7 @@ TEST(BrdfAlbedo, RationalClosedForms) {
 
 // The reading of the 2019 listing depends on the viewer only: kd exactly at 45 degrees.
 TEST(BrdfAlbedo, Listing) {
-    const BrdfProbe<float> probe("rational");
+    const ModelProbe<float> probe("rational");
     const double inv_pi = static_cast<double>(1 / pi);
     const double at[][2] = {{0, 1}, {30, .048}, {60, .048}, {75, .244}, {85, .764}, {89, .988}};
     for (const auto& row : at)
@@ -151,7 +151,7 @@ TEST(BrdfAlbedo, Listing) {
 // No model that claims to conserve energy may reflect more than it says; brightest at the normal.
 TEST(BrdfAlbedo, ConservedWhereClaimed) {
     for (const char* model : {"rational", "modified_phong"}) {
-        const BrdfProbe<float> probe(model);
+        const ModelProbe<float> probe(model);
         for (double n : {0.0, .1, 1.0, 10.0, 100.0, 1e4, 1e6}) {
             double last = 1 + 1e-4;
             for (double degrees : {0.0, 30.0, 45.0, 60.0, 75.0, 85.0, 90.0}) {
@@ -167,7 +167,7 @@ TEST(BrdfAlbedo, ConservedWhereClaimed) {
 
 // Phong cannot conserve energy: seen from the light, a grazing beam is multiplied.
 TEST(BrdfAlbedo, PhongMultipliesGrazingLight) {
-    const BrdfProbe<float> phong("phong");
+    const ModelProbe<float> phong("phong");
     const BrdfValues values = {{"kd", 0}, {"ks", 1}, {"n", 10}};
     const double at[][2] = {{0, .5236},  {30, .5236}, {60, .5286},  {75, .5905},
                             {85, 1.029}, {89, 3.959}, {89.9, 37.18}};
@@ -176,14 +176,14 @@ TEST(BrdfAlbedo, PhongMultipliesGrazingLight) {
     // The camera's side looks sound all the while.
     EXPECT_LT(albedo_at(phong, {{"kd", 0}, {"ks", 1}, {"n", 10}, {"normalize", 1}}, 89, 10), 1);
     // The modified model reflects alike from both sides.
-    const BrdfProbe<float> modified("modified_phong");
+    const ModelProbe<float> modified("modified_phong");
     EXPECT_NEAR(adjoint_albedo(modified, values, 89, 10) / albedo_at(modified, values, 89, 10), 1,
                 1e-5);
 }
 
 // Facets that reflect all lose what would bounce between them, and never gain.
 TEST(BrdfAlbedo, MicrofacetsGainNothing) {
-    const BrdfProbe<float> conductor("conductor");
+    const ModelProbe<float> conductor("conductor");
     const auto white = [&](double alpha_x, double alpha_y, double degrees) {
         return albedo_at(conductor,
                          {{"eta", 0}, {"k", 100}, {"alpha_x", alpha_x}, {"alpha_y", alpha_y}},

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/brdf_probe.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;
@@ -15,7 +15,7 @@ struct Difference {
 };
 
 // Worst relative differences over random directions, half of them near the mirror direction.
-Difference compare(const BrdfProbe<float>& single, const BrdfProbe<double>& wide,
+Difference compare(const ModelProbe<float>& single, const ModelProbe<double>& wide,
                    const BrdfValues& values, Long width) {
     Random random(41);
     std::vector<vec3l> wo, wi, u;
@@ -64,8 +64,8 @@ void report(const std::string& model, const BrdfValues& values, const Difference
 TEST(BrdfDouble, PhongTypeModels) {
     LOBE_NEEDS_DOUBLE();
     for (const char* model : {"rational", "modified_phong", "phong"}) {
-        const BrdfProbe<float> single(model);
-        const BrdfProbe<double> wide(model);
+        const ModelProbe<float> single(model);
+        const ModelProbe<double> wide(model);
         for (double n : {0.0, .05, .3, 1.0, 10.0, 100.0, 1e4, 1e6, 1e8}) {
             const BrdfValues values = {{"kd", .05}, {"ks", .5}, {"n", n}, {"normalize", 1}};
             const Difference d = compare(single, wide, values, std::min(.5, 1 / std::sqrt(n + 1)));
@@ -81,8 +81,8 @@ TEST(BrdfDouble, PhongTypeModels) {
 
 TEST(BrdfDouble, Microfacets) {
     LOBE_NEEDS_DOUBLE();
-    const BrdfProbe<float> plastic("plastic"), conductor("conductor");
-    const BrdfProbe<double> wide_plastic("plastic"), wide_conductor("conductor");
+    const ModelProbe<float> plastic("plastic"), conductor("conductor");
+    const ModelProbe<double> wide_plastic("plastic"), wide_conductor("conductor");
     for (double alpha : {.001, .01, .1, 1.0}) {
         Difference d = compare(plastic, wide_plastic, {{"alpha", alpha}}, alpha);
         report("plastic", {{"alpha", alpha}}, d);

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/brdf_probe.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;
@@ -78,7 +78,7 @@ std::string describe(const BrdfValues& set, const vec3l& a, const vec3l& b) {
 }
 
 void check(const std::string& model, const std::vector<BrdfValues>& sets) {
-    const BrdfProbe<float> probe(model);
+    const ModelProbe<float> probe(model);
     EXPECT_LE(probe.prepared_bytes(), 512u);
     std::vector<vec3l> wo, wi, u;
     const Long corners[] = {0, 0x1p-24L, .0999L, .5L, 1 - 0x1p-24L};
@@ -131,7 +131,7 @@ TEST(BrdfExtremes, Conductor) { check("conductor", facet_sets(true)); }
 // n = infinity, normalised: a mirror of the stated reflectance beside the diffuse part.
 TEST(BrdfExtremes, InfiniteSharpnessIsAMirror) {
     for (const char* model : {"rational", "modified_phong", "phong"}) {
-        const BrdfProbe<float> probe(model);
+        const ModelProbe<float> probe(model);
         const vec3l wo = direction(radians(60));
         const BrdfValues values = {{"kd", .2}, {"ks", .5}, {"n", INFINITY}, {"normalize", 1}};
         const double reflectance = std::string(model) == "phong" ? .5 : .25;  // ks cos theta
@@ -152,7 +152,7 @@ TEST(BrdfExtremes, InfiniteSharpnessIsAMirror) {
 // Every sample of the arc is above the horizon; only rounding at its very end may lose one.
 TEST(BrdfExtremes, VisibleArcWastesNoSample) {
     for (const char* model : {"rational", "modified_phong", "phong"}) {
-        const BrdfProbe<float> probe(model);
+        const ModelProbe<float> probe(model);
         Random random(31);
         std::vector<vec3l> wo, u;
         for (int i = 0; i < 200000; ++i) {

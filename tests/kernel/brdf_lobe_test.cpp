@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/brdf_probe.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;

@@ -7,7 +7,7 @@
 #include "kernel/brdf_grid.h"
 #include "kernel/brdf_probe.h"
 #include "support/chi_square.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;
@@ -41,7 +41,7 @@ std::vector<Case> cases() {
 constexpr double angles[] = {0.05, 45, 80, 89.5};
 const double tests = 2.0 * 4 * static_cast<double>(cases().size());  // chi-square and mean each
 
-std::vector<BrdfSampled> draw(const BrdfProbe<float>& probe, const Case& c, const vec3l& wo,
+std::vector<BrdfSampled> draw(const ModelProbe<float>& probe, const Case& c, const vec3l& wo,
                               std::size_t count, std::uint64_t seed) {
     Random random(seed);
     std::vector<vec3l> u(count);
@@ -63,7 +63,7 @@ std::vector<Long> pilot_rings(const std::vector<BrdfSampled>& pilot, const vec3l
     return edges;
 }
 
-void check(const BrdfProbe<float>& probe, const Case& c, double degrees, std::uint64_t seed) {
+void check(const ModelProbe<float>& probe, const Case& c, double degrees, std::uint64_t seed) {
     // The float direction itself is the viewer's, so that the grid's horizon is the device's.
     const vec3l wo(glm::vec3(direction(radians(degrees))));
     constexpr std::size_t count = 100000;
@@ -97,7 +97,7 @@ void check(const BrdfProbe<float>& probe, const Case& c, double degrees, std::ui
 }
 
 void check_model(const std::string& model) {
-    const BrdfProbe<float> probe(model);
+    const ModelProbe<float> probe(model);
     std::uint64_t seed = 100;
     for (const Case& c : cases()) {
         ++seed;
@@ -126,7 +126,7 @@ TEST(BrdfSampling, Conductor) { check_model("conductor"); }
 TEST(BrdfSampling, WeightIsValueOverDensity) {
     for (const char* model :
          {"lambert", "rational", "phong", "modified_phong", "plastic", "conductor"}) {
-        const BrdfProbe<float> probe(model);
+        const ModelProbe<float> probe(model);
         std::uint64_t seed = 7000;
         for (const Case& c : cases()) {
             ++seed;

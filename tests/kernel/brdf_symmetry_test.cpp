@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/brdf_probe.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;
@@ -33,7 +33,7 @@ void pairs(std::vector<vec3l>& a, std::vector<vec3l>& b, std::size_t count) {
 }
 
 // The largest relative difference of f(a, b) and f(b, a).
-double asymmetry(const BrdfProbe<float>& probe, const BrdfValues& values) {
+double asymmetry(const ModelProbe<float>& probe, const BrdfValues& values) {
     std::vector<vec3l> a, b;
     pairs(a, b, 20000);
     const auto ab = probe.eval({values}, a, b), ba = probe.eval({values}, b, a);
@@ -50,7 +50,7 @@ double asymmetry(const BrdfProbe<float>& probe, const BrdfValues& values) {
 }  // namespace
 
 TEST(BrdfSymmetry, ReciprocalWhereClaimed) {
-    const BrdfProbe<float> rational("rational"), modified("modified_phong");
+    const ModelProbe<float> rational("rational"), modified("modified_phong");
     for (double n : {0.0, 0.3, 1.0, 10.0, 1e3, 1e6, 1e10, 3e38})
         for (double normalize : {0, 1}) {
             const BrdfValues values = {
@@ -62,8 +62,8 @@ TEST(BrdfSymmetry, ReciprocalWhereClaimed) {
                 EXPECT_LE(asymmetry(rational, with), 1e-6) << n << " lobe " << lobe;
             }
         }
-    EXPECT_LE(asymmetry(BrdfProbe<float>("lambert"), {}), 1e-6);
-    const BrdfProbe<float> plastic("plastic"), conductor("conductor");
+    EXPECT_LE(asymmetry(ModelProbe<float>("lambert"), {}), 1e-6);
+    const ModelProbe<float> plastic("plastic"), conductor("conductor");
     for (double alpha : {0.001, 0.1, 1.0}) {
         EXPECT_LE(asymmetry(plastic, {{"alpha", alpha}}), 4e-6) << alpha;
         EXPECT_LE(asymmetry(conductor, {{"alpha_x", alpha}, {"alpha_y", 0.5}}), 4e-6) << alpha;
@@ -71,12 +71,12 @@ TEST(BrdfSymmetry, ReciprocalWhereClaimed) {
 }
 
 TEST(BrdfSymmetry, PhongAndListingAreNotReciprocal) {
-    EXPECT_GT(asymmetry(BrdfProbe<float>("phong"), {{"n", 10}}), 0.9);
-    EXPECT_GT(asymmetry(BrdfProbe<float>("rational"), {{"n", 10}, {"kd", 0}, {"lobe", 2}}), 0.9);
+    EXPECT_GT(asymmetry(ModelProbe<float>("phong"), {{"n", 10}}), 0.9);
+    EXPECT_GT(asymmetry(ModelProbe<float>("rational"), {{"n", 10}, {"kd", 0}, {"lobe", 2}}), 0.9);
     // What Phong's model reflects, f cos theta_i, is symmetric instead.
     std::vector<vec3l> a, b;
     pairs(a, b, 20000);
-    const BrdfProbe<float> phong("phong");
+    const ModelProbe<float> phong("phong");
     const BrdfValues values = {{"kd", 0}, {"n", 10}};
     const auto ab = phong.eval({values}, a, b), ba = phong.eval({values}, b, a);
     for (std::size_t i = 0; i < a.size(); ++i) ASSERT_EQ(ab[i].f.x, ba[i].f.x);

@@ -6,7 +6,7 @@
 
 #include "support/camera_rig.h"
 #include "support/oracle.h"
-#include "support/random.h"
+#include "base/random.h"
 #include "support/scenes.h"
 
 using namespace lobe;

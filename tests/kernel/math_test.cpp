@@ -6,7 +6,7 @@
 
 #include "support/oracle.h"
 #include "support/probe.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;

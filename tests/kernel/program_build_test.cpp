@@ -9,7 +9,7 @@
 #include "base/files.h"
 #include "base/kernel_text.h"
 #include "support/probe.h"
-#include "support/random.h"
+#include "base/random.h"
 #include "support/temp_folder.h"
 
 using namespace lobe;

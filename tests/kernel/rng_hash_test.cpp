@@ -9,7 +9,7 @@
 #include "shared/frame.h"
 #include "support/chi_square.h"
 #include "support/probe.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;

@@ -5,7 +5,7 @@
 #include "support/chi_square.h"
 #include "support/oracle.h"
 #include "support/probe.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;

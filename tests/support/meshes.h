@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "support/random.h"
+#include "base/random.h"
 
 namespace lobe::test {
 

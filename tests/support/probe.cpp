@@ -7,13 +7,9 @@
 
 namespace lobe::test {
 
-std::vector<std::string> all_models() {
-    std::vector<std::string> names;
-    for (const BrdfTable& table : read_brdf_tables(KernelText())) names.push_back(table.name);
-    return names;
+std::string general_scene_text() {
+    return scene_header(all_features(), read_brdf_tables(KernelText()));
 }
-
-std::string general_scene_text() { return scene_header(all_features(), all_models()); }
 
 Program build_probe(const std::string& path, Texts texts, const ProgramOptions& options) {
     texts.emplace("lobe_scene.h", general_scene_text());

@@ -15,9 +15,6 @@ namespace lobe::test {
 
 using Texts = std::map<std::string, std::string>;
 
-// Names of all models in kernels/brdf/, sorted.
-std::vector<std::string> all_models();
-
 // The text of lobe_scene.h for the general kernel: all features, all models.
 std::string general_scene_text();
 

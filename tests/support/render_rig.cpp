@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/kernel_text.h"
 #include "base/statistics.h"
@@ -15,7 +16,7 @@ namespace lobe::test {
 namespace {
 
 // The models of all render tests, so that they share one kernel.
-const std::vector<std::string> render_models = {"lambert", "modified_phong", "phong", "rational"};
+const std::set<std::string> render_models = {"lambert", "modified_phong", "phong", "rational"};
 
 testing::AssertionResult student(double difference, double error, double freedom, double tests) {
     const double t = error > 0 ? difference / error : difference == 0 ? 0 : INFINITY;
@@ -31,12 +32,13 @@ testing::AssertionResult student(double difference, double error, double freedom
 Picture render_picture(const Scene& scene, const PictureOptions& options) {
     PackOptions pack;
     pack.all_features = options.general;
-    if (options.general) pack.all_models = render_models;
+    const KernelText kernels;
+    for (const BrdfTable& table : read_brdf_tables(kernels))
+        if (render_models.count(table.name)) pack.models.push_back(table);
     const PackedScene packed = pack_scene(scene, pack);
     SessionOptions session_options;
     session_options.double_precision = options.double_precision;
     session_options.local = options.local;
-    const KernelText kernels;
     Session session(test_device(), kernels, packed, session_options);
     session.set_seed(options.seed);
     RenderPlan plan;

@@ -4,7 +4,7 @@
 
 #include "support/chi_square.h"
 #include "support/oracle.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe::test;
 

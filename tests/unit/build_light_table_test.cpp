@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "build/light_table.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;

@@ -111,7 +111,7 @@ TEST(Flatten, MissingFileSaysWhere) {
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::device);
-        EXPECT_EQ(error.where(), "main.cl:2");
+        EXPECT_EQ(error.where(), "main.cl:2:1");
         EXPECT_NE(error.hint().find("core/real.h"), std::string::npos) << error.hint();
     }
     EXPECT_THROW(flatten(KernelText(folder.path()), "macro.cl"), Error);

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "render/film.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;

@@ -7,7 +7,7 @@
 #include "base/statistics.h"
 #include "report/estimate.h"
 #include "support/chi_square.h"
-#include "support/random.h"
+#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;

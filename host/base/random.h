@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace lobe::test {
+namespace lobe {
 
 // SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
 class Random {
@@ -38,4 +38,4 @@ class Random {
     std::uint64_t state_;
 };
 
-}  // namespace lobe::test
+}  // namespace lobe

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the verbs that measure models share: the models, their parameters, the device.
+#pragma once
+
+#include <optional>
+
+#include "app/brdf_command.h"
+#include "cl/device.h"
+#include "lab/settings.h"
+
+namespace lobe {
+
+struct LabOptions {
+    CommonOptions common;
+    std::vector<std::string> models, settings;
+};
+void add_lab_options(CLI::App& verb, LabOptions& options);
+
+struct Lab {
+    KernelText kernels;
+    std::vector<BrdfTable> models;  // all there are
+    std::vector<Subject> subjects;  // those named, in order
+    Device device;
+
+    BrdfProbe probe(const Subject& subject) const {
+        return BrdfProbe(device, kernels, subject.model);
+    }
+};
+
+// The models that the options name, `more` among them, as their settings want them; a user's own
+// are tried first. Nothing if a signal asked to stop meanwhile. Throws Error (usage, scene).
+std::optional<Lab> open_lab(const LabOptions& options, const std::vector<std::string>& more = {});
+
+}  // namespace lobe

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "base/statistics.h"
+#include "base/timer.h"
+#include "lab/check_context.h"
+
+namespace lobe {
+
+CheckEffort CheckEffort::reduced() {
+    CheckEffort effort;
+    effort.sets = 3;
+    effort.samples = 512;
+    effort.directions = 2;
+    effort.extreme_sets = 6;
+    effort.cells = 12;
+    effort.rounds = 3;
+    effort.angles = {45, 80};
+    effort.furnace_angles = {45};
+    return effort;
+}
+
+void Finding::see(double figure, const std::string& place) {
+    ++tests;
+    if (figure <= worst) return;  // a NaN is worse than anything
+    if (std::isnan(worst)) return;
+    worst = figure;
+    where = place;
+}
+
+void Finding::see_p(double probability, const std::string& place) {
+    ++tests;
+    p.push_back(std::isnan(probability) ? 0 : probability);
+    if (p.back() > least_) return;
+    least_ = p.back();
+    where = place;
+}
+
+double Finding::least_p() const { return p.empty() ? 1 : *std::min_element(p.begin(), p.end()); }
+
+bool ModelReport::passed() const {
+    return std::all_of(findings.begin(), findings.end(), [](const Finding& f) { return f.passed; });
+}
+
+double judge(std::vector<ModelReport>& reports) {
+    std::size_t tests = 0;
+    for (const ModelReport& report : reports)
+        for (const Finding& finding : report.findings) tests += finding.p.size();
+    const double level = sidak(check_alpha, std::max(1.0, static_cast<double>(tests)));
+    for (ModelReport& report : reports)
+        for (Finding& finding : report.findings) {
+            if (!finding.p.empty() && finding.least_p() < level) finding.passed = false;
+            if (!std::isnan(finding.limit) && !(finding.worst <= finding.limit))
+                finding.passed = false;
+        }
+    return level;
+}
+
+void ClaimTest::see(bool claimed, double violation, const std::string& where) {
+    if (claimed) {
+        finding_.see(violation, where);
+        return;
+    }
+    ++withheld_;
+    if (violation <= shown_) return;
+    shown_ = violation;
+    shown_where_ = where;
+}
+
+Finding ClaimTest::finish(const std::string& claim) {
+    finding_.limit = limit_;
+    if (withheld_ == 0) return finding_;
+    const bool broken = shown_ > limit_;
+    finding_.note = "withheld in " + std::to_string(withheld_) + " cases, " +
+                    (broken ? "broken by " + short_number(shown_) + " (" + shown_where_ + ")"
+                            : "yet never broken: claim to be " + claim);
+    if (finding_.tests == 0) {
+        finding_.worst = shown_;
+        finding_.limit = std::numeric_limits<double>::quiet_NaN();
+    }
+    finding_.tests += withheld_;
+    finding_.passed = broken;
+    return finding_;
+}
+
+glm::dvec3 view_at(double degrees, double azimuth) {
+    const double elevation = glm::radians(90 - degrees);
+    const double r = std::cos(elevation);
+    return rounded({r * std::cos(azimuth), r * std::sin(azimuth), std::sin(elevation)});
+}
+
+CheckContext make_check_context(const Device& device, const KernelText& kernels,
+                                const std::vector<BrdfTable>& models, const BrdfTable& model,
+                                const CheckOptions& options) {
+    CheckContext context{device, kernels, models,
+                         model,  options, BrdfProbe(device, kernels, model)};
+    if (device.info().fp64)
+        context.oracle = std::make_unique<BrdfProbe>(device, kernels, model, Precision::twice);
+    context.sets = parameter_sweep(model, options.effort.sets);
+    std::vector<BrdfRows> rows;
+    for (const ParameterSet& set : context.sets) rows.push_back(set.rows);
+    context.probe.set_parameters(rows, context.tables);
+    if (context.oracle) context.oracle->set_parameters(rows, context.tables);
+    for (std::uint32_t set = 0; set < rows.size(); ++set)
+        for (const double degrees : options.effort.angles)
+            context.cases.push_back(
+                {set, degrees, view_at(degrees),
+                 context.sets[set].text + " at " + short_number(degrees) + " deg"});
+    return context;
+}
+
+ModelReport check_model(const Device& device, const KernelText& kernels,
+                        const std::vector<BrdfTable>& models, const BrdfTable& model,
+                        const CheckOptions& options) {
+    ModelReport report;
+    report.model = model.name;
+    const Stopwatch compile;
+    CheckContext context = make_check_context(device, kernels, models, model, options);
+    report.compile_s = compile.seconds();
+    const Stopwatch watch;
+    report.sets = context.sets.size();
+    const auto take = [&](std::vector<Finding> findings) {
+        for (Finding& finding : findings) report.findings.push_back(std::move(finding));
+    };
+    take(check_values(context));
+    take(check_sampling(context, report));
+    take(check_extremes(context));  // changes the parameter sets: last
+    report.findings.push_back(check_furnace(context));
+    report.check_s = watch.seconds();
+    return report;
+}
+
+}  // namespace lobe

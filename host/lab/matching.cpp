@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/matching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+
+namespace lobe {
+
+const std::array<Criterion, 5> criteria = {{{"peak curvature", &LobeShape::curvature},
+                                            {"half-width", &LobeShape::half_width},
+                                            {"lobe integral", &LobeShape::integral},
+                                            {"normal albedo", &LobeShape::albedo},
+                                            {"median energy", &LobeShape::median}}};
+
+std::vector<LobeShape> Sharpened::shapes(const std::vector<double>& values) const {
+    std::vector<BrdfRows> sets(values.size(), subject.rows);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        sets[i][parameter] = {static_cast<float>(values[i]), 0, 0, 0};
+    probe.set_parameters(sets, subject.tables);
+    return measure_lobe_shapes(probe, static_cast<std::uint32_t>(sets.size()));
+}
+
+std::vector<double> Sharpened::scan() const {
+    const bool open = std::isinf(row().highest);
+    const double high = open ? 1e16 : row().highest;
+    const double low = std::max(row().lowest, open ? 1e-3 : 1e-5 * high);
+    const int steps = static_cast<int>(std::ceil(4 * std::log10(high / low)));
+    std::vector<double> values;
+    for (int k = 0; k <= steps; ++k)
+        values.push_back(low * std::pow(high / low, k / double(steps)));
+    return values;
+}
+
+std::vector<double> Sharpened::examples() const {
+    std::vector<double> values;
+    if (std::isinf(row().highest)) {
+        values = {1, 2, 5, 10, 100, 1e3, 1e4, 1e6};
+    } else {
+        for (const double part : {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0})
+            values.push_back(part * row().highest);
+    }
+    values.erase(
+        std::remove_if(values.begin(), values.end(), [&](double v) { return v < row().lowest; }),
+        values.end());
+    return values;
+}
+
+Sharpened find_sharpness(BrdfProbe& probe, const Subject& subject, const std::string& name) {
+    const BrdfTable& model = subject.model;
+    double most = 2;  // a width that changes less is not shaped
+    std::size_t best = model.parameters.size();
+    for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+        if (model.parameters[i].kind != BrdfParameterKind::number) continue;
+        if (!name.empty() && model.parameters[i].name != name) continue;
+        const Sharpened candidate{probe, subject, i};
+        double low = std::numeric_limits<double>::infinity(), high = 0;
+        for (const LobeShape& shape : candidate.shapes(candidate.examples())) {
+            if (!(shape.half_width > 0)) continue;
+            low = std::min(low, shape.half_width);
+            high = std::max(high, shape.half_width);
+        }
+        if (high / low <= most) continue;
+        most = high / low;
+        best = i;
+    }
+    if (best == model.parameters.size())
+        throw Error(ExitCode::usage,
+                    "model '" + model.name + "' has no " +
+                        (name.empty() ? "parameter" : "parameter '" + name + "'") +
+                        " that shapes a lobe about the mirror direction",
+                    "", "lobe brdf plot --kind curves shows the lobes that models have");
+    return {probe, subject, best};
+}
+
+namespace {
+
+// A root between two values of the parameter; a and b are logarithms, and fa and fb by how much the
+// quantity's logarithm is too large there.
+struct Search {
+    std::size_t match, criterion;
+    double wanted;  // logarithm of the quantity
+    double a, b, fa, fb;
+    int side = 0;
+
+    // Where regula falsi looks next, with the Illinois trick against one end staying for ever.
+    double next() const { return b - fb * (b - a) / (fb - fa); }
+    void take(double x, double f) {
+        if ((f > 0) == (fb > 0)) {
+            b = x;
+            fb = f;
+            if (side == 1) fa *= 0.5;
+            side = 1;
+        } else {
+            a = x;
+            fa = f;
+            if (side == -1) fb *= 0.5;
+            side = -1;
+        }
+    }
+};
+
+// The brackets that a scan of the parameter's range shows.
+std::vector<Search> find_brackets(const Sharpened& own, const std::vector<Match>& matches) {
+    const std::vector<double> values = own.scan();
+    const std::vector<LobeShape> shapes = own.shapes(values);
+    std::vector<Search> found;
+    for (std::size_t m = 0; m < matches.size(); ++m)
+        for (std::size_t c = 0; c < criteria.size(); ++c) {
+            const double wanted = std::log(matches[m].shape.*criteria[c].quantity);
+            for (std::size_t k = 1; k < shapes.size(); ++k) {
+                const double fa = std::log(shapes[k - 1].*criteria[c].quantity) - wanted;
+                const double fb = std::log(shapes[k].*criteria[c].quantity) - wanted;
+                if (!(fa * fb <= 0)) continue;  // nor where either is NaN
+                found.push_back(
+                    {m, c, wanted, std::log(values[k - 1]), std::log(values[k]), fa, fb});
+                break;
+            }
+        }
+    return found;
+}
+
+}  // namespace
+
+std::vector<Match> match_lobes(const Sharpened& own, const Sharpened& other,
+                               const std::vector<double>& values) {
+    const std::vector<LobeShape> shapes = other.shapes(values);
+    std::vector<Match> matches(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        matches[i] = {values[i], shapes[i], {}};
+        matches[i].matched.fill(std::numeric_limits<double>::quiet_NaN());
+    }
+    std::vector<Search> searches = find_brackets(own, matches);
+    constexpr int rounds = 9;
+    for (int round = 0; round < rounds && !searches.empty(); ++round) {
+        std::vector<double> tried;
+        for (const Search& s : searches) tried.push_back(std::exp(s.next()));
+        const std::vector<LobeShape> found = own.shapes(tried);
+        for (std::size_t i = 0; i < searches.size(); ++i) {
+            Search& s = searches[i];
+            matches[s.match].matched[s.criterion] = tried[i];
+            const double f = std::log(found[i].*criteria[s.criterion].quantity) - s.wanted;
+            if (std::isfinite(f) && f != 0) s.take(std::log(tried[i]), f);
+        }
+    }
+    return matches;
+}
+
+}  // namespace lobe

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/raster.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/log.h"
+#include "report/font.h"
+#include "report/image_io.h"
+
+namespace lobe {
+namespace {
+
+// The pieces of a line that are ink.
+std::vector<std::vector<glm::dvec2>> dashes(const std::vector<glm::dvec2>& points, double length) {
+    std::vector<std::vector<glm::dvec2>> pieces(1);
+    double left = length;
+    bool inked = true;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i == 0) {
+            pieces.back().push_back(points[0]);
+            continue;
+        }
+        glm::dvec2 from = points[i - 1];
+        double way = glm::distance(from, points[i]);
+        while (way > left) {
+            from += left / way * (points[i] - from);
+            way -= left;
+            left = length;
+            if (inked) pieces.back().push_back(from);
+            if (!inked) pieces.push_back({from});
+            inked = !inked;
+        }
+        left -= way;
+        if (inked) pieces.back().push_back(points[i]);
+    }
+    return pieces;
+}
+
+// Paints by coverage: how much of a pixel lies within a shape, by its distance from the edge.
+class Painter {
+  public:
+    Painter(ImageFile& image, double scale)
+        : image_(image), scale_(scale), mask_(image.width * std::size_t(image.height)) {}
+
+    void operator()(const Polyline& line) {
+        if (line.dash > 0)
+            for (const auto& piece : dashes(line.points, line.dash)) stroke(piece, line.width);
+        else
+            stroke(simplified(line.points, 0.02), line.width);
+        paint(line.ink);
+    }
+    void operator()(const Rect& rect) {
+        cover(rect.low, rect.high, [&](const glm::dvec2& p) {
+            const glm::dvec2 inside = glm::min(p - rect.low, rect.high - p) * scale_;
+            return std::min(std::min(inside.x, inside.y) + 0.5, 1.0);
+        });
+        paint(rect.ink);
+    }
+    void operator()(const Dot& dot) {
+        cover(dot.centre - dot.radius, dot.centre + dot.radius, [&](const glm::dvec2& p) {
+            return (dot.radius - glm::distance(p, dot.centre)) * scale_ + 0.5;
+        });
+        paint(dot.ink);
+    }
+    void operator()(const Text&) {}
+
+  private:
+    void stroke(const std::vector<glm::dvec2>& points, double width) {
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const glm::dvec2 a = points[i - 1], b = points[i];
+            cover(glm::min(a, b) - width, glm::max(a, b) + width, [&](const glm::dvec2& p) {
+                return (width / 2 - distance_to_segment(p, a, b)) * scale_ + 0.5;
+            });
+        }
+    }
+
+    // Raises the mask to `coverage` at the pixels of a box and one around.
+    template <typename Coverage>
+    void cover(const glm::dvec2& low, const glm::dvec2& high, const Coverage& coverage) {
+        const auto bound = [](double v, std::uint32_t most) {
+            return static_cast<std::uint32_t>(glm::clamp(v, 0.0, static_cast<double>(most)));
+        };
+        const std::uint32_t x0 = bound(low.x * scale_ - 1, image_.width);
+        const std::uint32_t x1 = bound(high.x * scale_ + 2, image_.width);
+        const std::uint32_t y0 = bound(low.y * scale_ - 1, image_.height);
+        const std::uint32_t y1 = bound(high.y * scale_ + 2, image_.height);
+        for (std::uint32_t y = y0; y < y1; ++y)
+            for (std::uint32_t x = x0; x < x1; ++x) {
+                const double part = coverage((glm::dvec2(x, y) + 0.5) / scale_);
+                float& at = mask_[y * std::size_t(image_.width) + x];
+                at = std::max(at, static_cast<float>(std::min(part, 1.0)));
+            }
+    }
+
+    void paint(const Ink& ink) {
+        const float colour[3] = {float(ink.red), float(ink.green), float(ink.blue)};
+        for (std::size_t i = 0; i < mask_.size(); ++i) {
+            if (mask_[i] <= 0) continue;
+            for (std::size_t c = 0; c < 3; ++c) {
+                float& at = image_.pixels[3 * i + c];
+                at += mask_[i] * (colour[c] - at);
+            }
+            mask_[i] = 0;
+        }
+    }
+
+    ImageFile& image_;
+    double scale_;
+    std::vector<float> mask_;
+};
+
+std::vector<Text> texts_of(const Drawing& drawing, double scale) {
+    std::vector<Text> texts;
+    for (const auto& shape : drawing.shapes)
+        if (const Text* text = std::get_if<Text>(&shape)) {
+            texts.push_back(*text);
+            texts.back().at *= scale;
+            texts.back().size *= scale;
+        }
+    return texts;
+}
+
+}  // namespace
+
+ImageFile rasterise(const Drawing& drawing, ImageIo& images, double scale) {
+    ImageFile image;
+    image.width = image.full_width = static_cast<std::uint32_t>(std::ceil(drawing.width * scale));
+    image.height = image.full_height =
+        static_cast<std::uint32_t>(std::ceil(drawing.height * scale));
+    image.channels = {"R", "G", "B"};
+    image.bytes = true;
+    image.pixels.assign(3 * std::size_t(image.width) * image.height, 255);
+    Painter painter(image, scale);
+    for (const auto& shape : drawing.shapes) std::visit(painter, shape);
+    const std::vector<Text> texts = texts_of(drawing, scale);
+    const std::string font = find_font();
+    if (!texts.empty() && font.empty())
+        warn("no font is found: the picture has no labels (install fonts-dejavu-core)");
+    if (!texts.empty() && !font.empty()) images.draw_texts(image, font, texts);
+    for (float& value : image.pixels) value = std::floor(glm::clamp(value, 0.0f, 255.0f) + 0.5f);
+    return image;
+}
+
+}  // namespace lobe

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/svg.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace lobe {
+namespace {
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '"')
+            out += "&quot;";
+        else
+            out += c;
+    }
+    return out;
+}
+
+// Two digits after the point, and none that say nothing.
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", value);
+    std::string out = text;
+    out.erase(out.find_last_not_of('0') + 1);
+    if (out.back() == '.') out.pop_back();
+    return out == "-0" ? "0" : out;
+}
+
+std::string attribute(const char* name, const std::string& value) {
+    return std::string(" ") + name + "=\"" + value + "\"";
+}
+
+std::string attribute(const char* name, double value) { return attribute(name, number(value)); }
+
+std::string colour(const Ink& ink) {
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", ink.red, ink.green, ink.blue);
+    return text;
+}
+
+struct Writer {
+    std::string out;
+
+    void operator()(const Polyline& line) {
+        std::string points;
+        for (const glm::dvec2& p : simplified(line.points, 0.05))
+            points += (points.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
+        out += "<polyline fill=\"none\"" + attribute("points", points) +
+               attribute("stroke", colour(line.ink)) + attribute("stroke-width", line.width);
+        if (line.dash > 0) out += attribute("stroke-dasharray", line.dash);
+        out += "/>\n";
+    }
+    void operator()(const Rect& rect) {
+        out += "<rect" + attribute("x", rect.low.x) + attribute("y", rect.low.y) +
+               attribute("width", rect.high.x - rect.low.x) +
+               attribute("height", rect.high.y - rect.low.y) + attribute("fill", colour(rect.ink)) +
+               "/>\n";
+    }
+    void operator()(const Dot& dot) {
+        out += "<circle" + attribute("cx", dot.centre.x) + attribute("cy", dot.centre.y) +
+               attribute("r", dot.radius) + attribute("fill", colour(dot.ink)) + "/>\n";
+    }
+    // A rim of the paper's colour keeps text readable where it crosses a line.
+    void operator()(const Text& text) {
+        static const char* const anchors[] = {"start", "middle", "end"};
+        out += "<text" + attribute("x", text.at.x) + attribute("y", text.at.y) +
+               attribute("fill", colour(text.ink)) + attribute("font-size", text.size);
+        if (text.anchor != Anchor::start)
+            out += attribute("text-anchor", anchors[static_cast<int>(text.anchor)]);
+        out += ">" + escaped(text.text) + "</text>\n";
+    }
+};
+
+}  // namespace
+
+std::string to_svg(const Drawing& drawing) {
+    const std::string width = number(drawing.width), height = number(drawing.height);
+    Writer writer;
+    writer.out = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", width) +
+                 attribute("height", height) + attribute("viewBox", "0 0 " + width + " " + height) +
+                 " font-family=\"DejaVu Sans, Verdana, sans-serif\" stroke-linejoin=\"round\"" +
+                 " stroke-linecap=\"round\">\n<title>" + escaped(drawing.title) + "</title>\n" +
+                 "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    for (const auto& shape : drawing.shapes)
+        if (!std::holds_alternative<Text>(shape)) std::visit(writer, shape);
+    writer.out += "<g stroke=\"#fff\" stroke-width=\"3\" style=\"paint-order:stroke\">\n";
+    for (const auto& shape : drawing.shapes)
+        if (const Text* text = std::get_if<Text>(&shape)) writer(*text);
+    return writer.out + "</g>\n</svg>\n";
+}
+
+}  // namespace lobe
