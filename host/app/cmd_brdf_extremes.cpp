@@ -43,9 +43,11 @@ std::string percent(std::size_t count, std::size_t of) {
 std::string parameter_value(double value) {
     if (value == 1 - 0x1p-24) return "1-ulp";
     if (value == 1 + 0x1p-23) return "1+ulp";
-    char text[32] = "";
-    for (int digits = 1; digits <= 9 && std::strtof(text, nullptr) != value; ++digits)
+    char text[32];
+    int digits = 4;
+    do
         std::snprintf(text, sizeof text, "%.*g", digits, value);
+    while (++digits <= 9 && std::strtof(text, nullptr) != value);
     return text;
 }
 

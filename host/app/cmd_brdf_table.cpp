@@ -25,16 +25,6 @@ struct Options {
     std::vector<std::string> vary;
 };
 
-// The parameter that --vary names for a model, or nothing.
-std::string varied(const std::vector<std::string>& vary, const std::string& model) {
-    for (const std::string& word : vary) {
-        const auto dot = word.find('.');
-        if (dot == std::string::npos) return word;
-        if (word.substr(0, dot) == model) return word.substr(dot + 1);
-    }
-    return "";
-}
-
 void show(const Options& options, const std::string& text) {
     if (options.lab.common.json != "-") std::fputs(text.c_str(), stdout);
 }
@@ -42,9 +32,9 @@ void show(const Options& options, const std::string& text) {
 Json match(const Options& options, const Lab& lab) {
     Json all = Json::array();
     const Subject& target = lab.subjects.back();
-    BrdfProbe their_probe = lab.probe(target);
+    BrdfProbe their_probe = lab.precise_probe(target);
     const Sharpened other =
-        find_sharpness(their_probe, target, varied(options.vary, target.model.name));
+        find_sharpness(their_probe, target, named_for(options.vary, target.model.name));
     const std::vector<double> values = options.at.empty() ? other.examples() : options.at;
     for (const double value : values)
         if (!(value >= other.row().lowest && value <= other.row().highest))
@@ -54,9 +44,9 @@ Json match(const Options& options, const Lab& lab) {
                         "", "lobe brdf list --json - shows the ranges");
     for (std::size_t i = 0; i + 1 < lab.subjects.size(); ++i) {
         const Subject& subject = lab.subjects[i];
-        BrdfProbe probe = lab.probe(subject);
+        BrdfProbe probe = lab.precise_probe(subject);
         const Sharpened own =
-            find_sharpness(probe, subject, varied(options.vary, subject.model.name));
+            find_sharpness(probe, subject, named_for(options.vary, subject.model.name));
         const std::vector<Match> matches = match_lobes(own, other, values);
         show(options, (i ? "\n" : "") + to_text(matches, own, other));
         all.push_back(to_json(matches, own, other));

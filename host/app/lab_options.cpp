@@ -41,4 +41,13 @@ std::optional<Lab> open_lab(const LabOptions& options, const std::vector<std::st
     return Lab{std::move(kernels), models, std::move(subjects), std::move(device)};
 }
 
+std::string named_for(const std::vector<std::string>& words, const std::string& model) {
+    for (const std::string& word : words) {
+        const auto dot = word.find('.');
+        if (dot == std::string::npos) return word;
+        if (word.substr(0, dot) == model) return word.substr(dot + 1);
+    }
+    return "";
+}
+
 }  // namespace lobe

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/user_models.h"
 
-#include "base/child.h"
 #include "base/error.h"
 #include "lab/trial.h"
 #include "scene/user_model.h"
@@ -37,7 +36,6 @@ void check_trust(const Scene& scene, bool trusted) {
 bool try_user_models(const Device& device, const KernelText& kernels,
                      const std::vector<BrdfTable>& models, const CommonOptions& options) {
     TrialOptions trial;
-    trial.program = own_program();
     trial.kernel_folder = options.kernel_folder;
     trial.version = LOBE_VERSION;
     trial.seconds = trial_seconds();

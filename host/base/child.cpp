@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 
 #include "base/error.h"
 #include "base/signals.h"
@@ -129,7 +128,5 @@ Child::Read Child::read_line(std::string& line, double seconds) {
     }
     return Read::line;
 }
-
-std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 }  // namespace lobe

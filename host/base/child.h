@@ -44,7 +44,4 @@ class Child {
     std::string output_, errors_;
 };
 
-// The path of the program that runs.
-std::string own_program();
-
 }  // namespace lobe

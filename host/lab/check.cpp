@@ -8,6 +8,7 @@
 #include "base/statistics.h"
 #include "base/timer.h"
 #include "lab/check_context.h"
+#include "scene/measured.h"
 
 namespace lobe {
 
@@ -100,6 +101,8 @@ CheckContext make_check_context(const Device& device, const KernelText& kernels,
                          model,  options, BrdfProbe(device, kernels, model)};
     if (device.info().fp64)
         context.oracle = std::make_unique<BrdfProbe>(device, kernels, model, Precision::twice);
+    for (const BrdfParameter& p : model.parameters)
+        if (p.kind == BrdfParameterKind::table) context.tables = made_up_table();
     context.sets = parameter_sweep(model, options.effort.sets);
     std::vector<BrdfRows> rows;
     for (const ParameterSet& set : context.sets) rows.push_back(set.rows);

@@ -17,7 +17,7 @@ constexpr std::size_t batch = 24;
 constexpr std::size_t pilot_samples = 2048;
 // Quadrature is trusted to this part of a value, and must be for all but this part of the cases.
 constexpr double resolution = 5e-4;
-constexpr double most_unresolved = 0.15;
+constexpr double most_unresolved = 0.5;
 
 // What the samples of one case said.
 struct Drawn {

@@ -86,7 +86,7 @@ std::vector<double> conditioning(const BrdfProbe& oracle, std::size_t sets,
     };
     see(rounded);
     Random random(71);
-    for (int time = 0; time < 3; ++time)
+    for (int time = 0; time < 4; ++time)
         see(values_of(oracle, make_query(sets, pairs, [&](glm::dvec3 v) {
                           for (int k = 0; k < 3; ++k)
                               if (v[k] != 0)

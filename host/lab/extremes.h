@@ -45,7 +45,8 @@ struct ExtremesRow {
     bool passed() const { return ours.nonfinite == 0 && ours.negative == 0 && !(excess > 1); }
 };
 
-// Errors of ours may be 8 times the conditioning of the same pair, and 2e-5.
+// Errors of ours may be 8 times the conditioning of the same pair, and 2e-5: a few roundings that
+// each do as much as those of the directions, and what adds up where nothing is stiff.
 constexpr double extremes_conditionings = 8, extremes_rounding = 2e-5;
 
 // A model in both builds; `oracle` is none on devices without cl_khr_fp64.

@@ -34,27 +34,39 @@ std::vector<double> Sharpened::scan() const {
     return values;
 }
 
-std::vector<double> Sharpened::examples() const {
+namespace {
+
+// Of values for a row without an end, or of parts of its end, those in its range.
+std::vector<double> within(const BrdfParameter& row, const std::vector<double>& open,
+                           const std::vector<double>& parts) {
     std::vector<double> values;
-    if (std::isinf(row().highest)) {
-        values = {1, 2, 5, 10, 100, 1e3, 1e4, 1e6};
-    } else {
-        for (const double part : {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0})
-            values.push_back(part * row().highest);
+    const bool ends = std::isfinite(row.highest);
+    for (const double v : ends ? parts : open) {
+        const double value = ends ? v * row.highest : v;
+        if (value >= row.lowest) values.push_back(value);
     }
-    values.erase(
-        std::remove_if(values.begin(), values.end(), [&](double v) { return v < row().lowest; }),
-        values.end());
     return values;
 }
 
-Sharpened find_sharpness(BrdfProbe& probe, const Subject& subject, const std::string& name) {
-    const BrdfTable& model = subject.model;
+}  // namespace
+
+std::vector<double> Sharpened::examples() const {
+    return within(row(), {1, 2, 5, 10, 100, 1e3, 1e4, 1e6},
+                  {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0});
+}
+
+std::vector<double> Sharpened::few() const {
+    return within(row(), {0.1, 1, 10, 100, 1000}, {0.05, 0.1, 0.2, 0.4, 0.8});
+}
+
+std::optional<std::size_t> shaping_parameter(BrdfProbe& probe, const Subject& subject,
+                                             const std::string& name) {
     double most = 2;  // a width that changes less is not shaped
-    std::size_t best = model.parameters.size();
-    for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-        if (model.parameters[i].kind != BrdfParameterKind::number) continue;
-        if (!name.empty() && model.parameters[i].name != name) continue;
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < subject.model.parameters.size(); ++i) {
+        const BrdfParameter& row = subject.model.parameters[i];
+        if (row.kind != BrdfParameterKind::number) continue;
+        if (!name.empty() && row.name != name) continue;
         const Sharpened candidate{probe, subject, i};
         double low = std::numeric_limits<double>::infinity(), high = 0;
         for (const LobeShape& shape : candidate.shapes(candidate.examples())) {
@@ -66,13 +78,18 @@ Sharpened find_sharpness(BrdfProbe& probe, const Subject& subject, const std::st
         most = high / low;
         best = i;
     }
-    if (best == model.parameters.size())
+    return best;
+}
+
+Sharpened find_sharpness(BrdfProbe& probe, const Subject& subject, const std::string& name) {
+    const std::optional<std::size_t> place = shaping_parameter(probe, subject, name);
+    if (!place)
         throw Error(ExitCode::usage,
-                    "model '" + model.name + "' has no " +
+                    "model '" + subject.model.name + "' has no " +
                         (name.empty() ? "parameter" : "parameter '" + name + "'") +
                         " that shapes a lobe about the mirror direction",
                     "", "lobe brdf plot --kind curves shows the lobes that models have");
-    return {probe, subject, best};
+    return {probe, subject, *place};
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,17 @@ struct Sharpened {
     std::vector<LobeShape> shapes(const std::vector<double>& values) const;
     // Values between which solutions are sought, log-spaced.
     std::vector<double> scan() const;
-    // Values to show, from the bluntest or sharpest end to the other.
+    // Values to show in a table, and fewer for a plot.
     std::vector<double> examples() const;
+    std::vector<double> few() const;
 };
 
-// Takes the parameter of that name or, where it is empty, the number that changes the width of the
-// lobe most. Throws Error (usage) if there is none.
+// The place of the parameter of that name or, where it is empty, of the number that changes the
+// width of the lobe most; nothing if there is none, or if it does not shape a lobe.
+std::optional<std::size_t> shaping_parameter(BrdfProbe& probe, const Subject& subject,
+                                             const std::string& name = "");
+
+// The same as a Sharpened. Throws Error (usage) where there is none.
 Sharpened find_sharpness(BrdfProbe& probe, const Subject& subject, const std::string& name = "");
 
 struct Match {

@@ -52,16 +52,22 @@ std::vector<double> distances() {
     return all;
 }
 
+// Peaks are sought up to here: beyond, the values of many a model go to infinity.
+double last_peak(double view) { return std::max(view, glm::radians(89.0)); }
+
 // What a first look at the values of one view, sorted by their angles, shows.
 PlaneLobe first_look(const std::vector<double>& angles, const double* values, double view) {
-    const double* const end = values + angles.size();
-    const auto [least, most] = std::minmax_element(values, end);
+    const auto place_of = [&](double angle) {
+        return std::lower_bound(angles.begin(), angles.end(), clamped(angle)) - angles.begin();
+    };
+    const double* const least = std::min_element(values, values + angles.size());
+    const double* const most = std::max_element(values + place_of(-last_peak(view)),
+                                                values + place_of(last_peak(view)) + 1);
     PlaneLobe lobe;
     auto peak = static_cast<std::size_t>(most - values);
     // Of values that are alike but for rounding, the one at a direction that means something.
     for (const double centre : {-view, 0.0, view}) {
-        const auto at = std::lower_bound(angles.begin(), angles.end(), clamped(centre));
-        const auto place = static_cast<std::size_t>(at - angles.begin());
+        const auto place = static_cast<std::size_t>(place_of(centre));
         if (values[place] >= *most * (1 - rounding)) peak = place;
     }
     lobe.base = *least;
@@ -80,7 +86,7 @@ std::optional<double> PlaneLobe::half_width() const {
 
 glm::dvec3 Plane::viewer(double angle) const {
     const double r = std::sin(angle), z = std::cos(angle);
-    return glm::dvec3(glm::vec3(r * std::cos(azimuth_), r * std::sin(azimuth_), z));
+    return {r * std::cos(azimuth_), r * std::sin(azimuth_), z};
 }
 
 std::vector<glm::dvec3> Plane::values(const std::vector<PlanePoint>& points) const {
@@ -152,9 +158,13 @@ std::vector<PlaneLobe> Plane::lobes(const std::vector<PlaneView>& views) const {
 
 // The peak proper lies near the largest value seen.
 void Plane::sharpen(const std::vector<PlaneView>& views, std::vector<PlaneLobe>& lobes) const {
+    const auto around = [&](std::size_t i, double reach) {
+        const double last = std::min(last_peak(views[i].view), grazing);
+        return Bracket{glm::clamp(lobes[i].at - reach, -last, last),
+                       glm::clamp(lobes[i].at + reach, -last, last)};
+    };
     std::vector<Bracket> brackets;
-    for (const PlaneLobe& lobe : lobes)
-        brackets.push_back({clamped(lobe.at - 0.02), clamped(lobe.at + 0.02)});
+    for (std::size_t i = 0; i < views.size(); ++i) brackets.push_back(around(i, 0.02));
     for (int round = 0; round < rounds; ++round) {
         const std::vector<double> found = luminances(inside(views, brackets));
         for (std::size_t i = 0; i < views.size(); ++i) {
@@ -164,8 +174,7 @@ void Plane::sharpen(const std::vector<PlaneView>& views, std::vector<PlaneLobe>&
                 lobes[i].peak = first[best];
                 lobes[i].at = brackets[i].at(best);
             }
-            const double step = (brackets[i].high - brackets[i].low) / pieces;
-            brackets[i] = {clamped(lobes[i].at - step), clamped(lobes[i].at + step)};
+            brackets[i] = around(i, (brackets[i].high - brackets[i].low) / pieces);
         }
     }
 }

@@ -22,7 +22,8 @@ struct PlanePoint {
     double light;
 };
 
-// The lobe is what rises over the least value in the plane.
+// The lobe is what rises over the least value in the plane. Its peak is sought up to 89 degrees
+// from the normal: beyond, the values of many a model go to infinity.
 struct PlaneLobe {
     double peak = 0, base = 0;           // luminance of f, 1/sr
     double at = 0;                       // angle of light at the peak

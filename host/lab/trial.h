@@ -18,10 +18,10 @@ class Device;
 class KernelText;
 
 struct TrialOptions {
-    std::string program;        // lobe itself
-    std::string kernel_folder;  // as of --kernel-dir
-    std::string version;        // lobe's
-    double seconds = 20;        // that one step may take; there are some dozens, each short
+    std::string program = "/proc/self/exe";  // lobe itself
+    std::string kernel_folder;               // as of --kernel-dir
+    std::string version;                     // lobe's
+    double seconds = 20;  // that one step may take; there are some dozens, each short
 };
 
 // Tries the model, which was added to `kernels`, unless lobe's cache folder remembers that it has

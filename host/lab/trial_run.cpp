@@ -16,6 +16,7 @@
 #include "lab/guarded_buffer.h"
 #include "lab/model_fault.h"
 #include "lab/parameter_sweep.h"
+#include "lab/settings.h"
 
 namespace lobe {
 namespace {
@@ -24,7 +25,6 @@ constexpr std::size_t group = 64;         // as in BrdfProbe, so that PoCL's cac
 constexpr std::size_t chunk = 4096;       // items of a launch: a step is short, on simulators too
 constexpr std::size_t pairs_a_set = 128;  // for each set of parameters but the first
 constexpr std::size_t most_sets = 96;
-constexpr std::size_t table_bytes = 64 << 20;  // of zeros, for models that read tables
 
 const float inf = std::numeric_limits<float>::infinity();
 const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -144,10 +144,9 @@ class Trial {
         // A prepared form that is too large must still find room, to be told so.
         prepared_ = std::make_unique<GuardedBuffer>(
             device_, sets.size() * LOBE_PREPARED_BYTES + (std::size_t{1} << 20));
-        const bool reads_tables =
-            std::any_of(model_.parameters.begin(), model_.parameters.end(),
-                        [](const BrdfParameter& p) { return p.kind == BrdfParameterKind::table; });
-        tables_ = std::make_unique<GuardedBuffer>(device_, reads_tables ? table_bytes : 16);
+        const std::vector<float> tables = set_up(model_, {}).tables;
+        tables_ =
+            std::make_unique<GuardedBuffer>(device_, tables.size() * sizeof(float), tables.data());
         const GuardedBuffer facts(device_, 2 * sets.size() * sizeof(cl_uint));
         launch_guarded("_prepare", "brdf_prepare", sets.size(), *rows_, rows_per_set(), *prepared_,
                        facts);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/dialect.h"
 
+#include <algorithm>
 #include <set>
 
 #include "base/error.h"
@@ -92,6 +93,12 @@ void weigh_material(const std::string& type, const Place& place, Evidence& evide
     if (v4_materials.count(type)) evidence.add(false, place, sign);
 }
 
+// Whether a file says what the material is; its type may then be any word.
+bool names_a_model(const Statement& statement) {
+    const auto& all = statement.parameters;
+    return std::any_of(all.begin(), all.end(), [](const auto& p) { return p.name == "brdf"; });
+}
+
 void weigh(const Statement& statement, Evidence& evidence) {
     const std::string title = statement.title();
     if (v3_directives.count(statement.name)) evidence.add(true, statement.place, title);
@@ -101,9 +108,10 @@ void weigh(const Statement& statement, Evidence& evidence) {
         const Pair pair(statement.name, kind.text);
         if (v3_classes.count(pair)) evidence.add(true, kind.place, title);
         if (v4_classes.count(pair)) evidence.add(false, kind.place, title);
-        if (statement.name == "Material") weigh_material(kind.text, kind.place, evidence);
+        if (statement.name == "Material" && !names_a_model(statement))
+            weigh_material(kind.text, kind.place, evidence);
     }
-    if (statement.name == "MakeNamedMaterial")
+    if (statement.name == "MakeNamedMaterial" && !names_a_model(statement))
         for (const Parameter& p : statement.parameters)
             if (p.name == "type" && p.strings.size() == 1)
                 weigh_material(p.strings[0], p.values_place, evidence);

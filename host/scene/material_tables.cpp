@@ -49,8 +49,9 @@ glm::dvec3 read_table(const Parameter& given, const ReadContext& context) {
     warn_of_gaps(table, given.values_place, context);
     fill_gaps(table, path);
     const double albedo = largest_albedo(table);
-    if (albedo > 1.001)
-        context.warn(given.values_place, "the table reflects up to " + show(albedo) +
+    if (albedo > 1.01)
+        context.warn(given.values_place, "the table reflects up to " +
+                                             show(std::round(1000 * albedo) / 1000) +
                                              " times the light: a reflectance above one makes "
                                              "energy");
     auto& tables = context.scene.tables;

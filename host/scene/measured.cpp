@@ -108,8 +108,8 @@ glm::dvec3 interpolate(const MeasuredBrdf& table, const glm::dvec3& wo, const gl
 
 // Integrated over half vectors, in the variable that spaces the table's cells.
 double largest_albedo(const MeasuredBrdf& table) {
-    constexpr int azimuths = 48;
-    const std::uint32_t rings = 2 * std::clamp<std::uint32_t>(table.counts[0], 16, 128);
+    constexpr int azimuths = 64;
+    const std::uint32_t rings = 2 * std::clamp<std::uint32_t>(table.counts[0], 64, 128);
     double largest = 0;
     for (int angle = 0; angle < 10; ++angle) {
         const double theta = 0.5 * pi * std::min(angle / 9.0, 0.995);

@@ -48,8 +48,8 @@ double largest_albedo(const MeasuredBrdf& table);
 // No value may be missing.
 std::vector<float> lay_out(const MeasuredBrdf& table);
 
-// A glossy material of 16 x 16 x 32 cells from a formula, laid out: what a model that needs a table
-// is checked with.
+// A glossy material of 5 x 5 x 5 cells from a formula; laid out, it is what a model that needs a
+// table is checked with.
 MeasuredBrdf made_up_material();
 std::vector<float> made_up_table();
 

@@ -44,7 +44,10 @@ UserModel read_user_model(const std::string& file, const std::vector<BrdfTable>&
                     "a kernel's file name has a character that kernels cannot name", file,
                     "rename the file");
     UserModel model;
-    model.text = make_source(file, read_file(file))->text;
+    model.text = read_file(file);
+    if (model.text.compare(0, 3, "\xef\xbb\xbf") == 0) model.text.erase(0, 3);
+    if (model.text.find('\0') != std::string::npos)
+        throw Error(ExitCode::scene, "a kernel is plain text, and this file has a NUL byte", file);
     model.table = parse_brdf_table(distinct_path(file), model.text);
     model.table.own = true;
     const std::string hint = "give the model of " + file +

@@ -77,8 +77,9 @@ real3 blinn_phong_formula(blinn_phong_values values, real3 wo, real3 wi) {
 
 // What a reflection shares between value and density.
 typedef struct {
-    LobePoint h;   // the half vector's cosine to the normal
-    real towards;  // and to wo
+    LobePoint h;      // cosine of the half vector to the normal,
+    LobePoint twice;  // of twice that angle,
+    real towards;     // and of the half vector to wo
 } BlinnPhongHalf;
 
 // From the sum of both directions, scaled first: that of opposite grazing ones may underflow.
@@ -89,6 +90,11 @@ BlinnPhongHalf blinn_phong_half(real3 wo, real3 wi) {
     real across = sum.x * sum.x + sum.y * sum.y, all = fma(sum.z, sum.z, across);
     half_vector.h.t = sum.z / sqrt(all);
     half_vector.h.x = across / (all * (1 + half_vector.h.t));
+    // sum.z^2 - across without its cancellation where one direction is grazing
+    real3 flat = wi.z < wo.z ? (real3)(wo.xy, wi.z) : (real3)(wi.xy, wo.z);
+    real difference = flat.z * sum.z - (flat.x * sum.x + flat.y * sum.y);
+    half_vector.twice.t = 2 * difference / (scale * all);
+    half_vector.twice.x = 2 * across / all;
     half_vector.towards = R(0.5) * scale * sqrt(all);
     return half_vector;
 }
@@ -107,15 +113,6 @@ real blinn_phong_reach(const blinn_phong_prepared* m, real3 wo) {
     return -real_expm1((m->n + 2) * log_cosine);
 }
 
-// Half vectors at an angle theta_h reflect above the horizon where
-// cos phi > -cot theta_o cot 2 theta_h: the visible arc of the circle at 2 theta_h.
-real blinn_phong_arc(LobePoint h, real3 wo) {
-    LobePoint p;
-    p.x = 2 * h.x * (2 - h.x);
-    p.t = p.x < R(0.5) ? 1 - p.x : fma(2 * h.t, h.t, -1);
-    return visible_arc(p, wo);
-}
-
 real3 blinn_phong_value(const blinn_phong_prepared* m, BlinnPhongHalf half_vector, real cosine) {
     if (m->mirror) return m->kd * cosine;
     return (m->kd + m->ks * cosine_power(m->n, half_vector.h)) * cosine;
@@ -128,7 +125,8 @@ real blinn_phong_density(const blinn_phong_prepared* m, real2 choice, BlinnPhong
     real density = choice.y * cosine * REAL_INV_PI;
     if (m->mirror || choice.x == 0) return density;
     real lobe = cosine_power_density(m->n + 1, half_vector.h) / blinn_phong_reach(m, wo);
-    lobe /= 4 * blinn_phong_arc(half_vector.h, wo) * larger(half_vector.towards, R(1e-30));
+    // Half vectors at theta_h reflect above the horizon where cos phi > -cot theta_o cot 2 theta_h.
+    lobe /= 4 * visible_arc(half_vector.twice, wo) * larger(half_vector.towards, R(1e-30));
     return smaller(fma(choice.x, lobe, density), LOBE_LARGEST_N);
 }
 
@@ -144,15 +142,19 @@ real blinn_phong_pdf(const blinn_phong_prepared* m, real3 wo, real3 wi) {
 real3 blinn_phong_reflect(const blinn_phong_prepared* m, real3 wo, real2 u,
                           BlinnPhongHalf* half_vector) {
     LobePoint h = cosine_power_point(m->n + 1, u.x * blinn_phong_reach(m, wo));
-    real2 azimuth = real_circle(blinn_phong_arc(h, wo) * (u.y - R(0.5)));
+    LobePoint twice;
+    twice.x = 2 * h.x * (2 - h.x);
+    twice.t = twice.x < R(0.5) ? 1 - twice.x : fma(2 * h.t, h.t, -1);
+    real2 azimuth = real_circle(visible_arc(twice, wo) * (u.y - R(0.5)));
     real sine = sqrt(wo.x * wo.x + wo.y * wo.y), sine_h = sqrt(h.x * (2 - h.x));
     real2 heading = heading_of(wo);
     half_vector->h = h;
+    half_vector->twice = twice;
     half_vector->towards = fma(sine * sine_h, azimuth.x, wo.z * h.t);
     real out = 2 * half_vector->towards * sine_h;
     real along = fma(out, azimuth.x, -sine), across = out * azimuth.y;
     // 2 towards cos theta_h - cos theta_o, which would cancel at grazing angles
-    real height = fma(wo.z, 1 - 2 * sine_h * sine_h, 2 * sine * sine_h * h.t * azimuth.x);
+    real height = fma(wo.z, twice.t, 2 * sine * sine_h * h.t * azimuth.x);
     return (real3)(along * heading.x - across * heading.y, along * heading.y + across * heading.x,
                    height);
 }

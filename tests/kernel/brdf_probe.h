@@ -44,7 +44,7 @@ class ModelProbe {
 
   private:
     static BrdfProbe make(const std::string& model, const Texts& texts) {
-        KernelText kernels;
+        KernelText kernels = test_kernels();
         for (const auto& [path, text] : texts) kernels.add(path, text);
         const std::string file = "brdf/" + model + ".h";
         return BrdfProbe(test_device(), kernels, parse_brdf_table(file, kernels.read(file)),

@@ -104,7 +104,7 @@ std::size_t outside_leaks(const Program& program, const Closed& closed, bool cor
 
 // geom/triangle.h with one product of each edge function fused, as FP_CONTRACT ON does.
 std::string fused_triangle_text() {
-    std::string text = KernelText().read("geom/triangle.h");
+    std::string text = test_kernels().read("geom/triangle.h");
     const std::pair<const char*, const char*> changes[] = {
         {"cx * by - cy * bx", "fma(cx, by, -(cy * bx))"},
         {"ax * cy - ay * cx", "fma(ax, cy, -(ay * cx))"},
@@ -171,7 +171,7 @@ TEST(GeomWatertight, FusedEdgeFunctionsLeak) {
 // The pragma that forbids fusing is what keeps the compiler from it. Where the device's compiler
 // would not fuse anyway (Oclgrind), there is nothing to see.
 TEST(GeomWatertight, ContractionIsOffAndWouldLeak) {
-    std::string real = KernelText().read("core/real.h");
+    std::string real = test_kernels().read("core/real.h");
     const std::string off = "#pragma OPENCL FP_CONTRACT OFF";
     ASSERT_NE(real.find(off), std::string::npos);
     real.replace(real.find(off), off.size(), "#pragma OPENCL FP_CONTRACT ON");

@@ -6,12 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "base/kernel_text.h"
 #include "cl/kernel_args.h"
 #include "cl/program.h"
 #include "cl/source.h"
 #include "support/device.h"
 
 namespace lobe::test {
+
+// The kernels under test: those of the program, or of the folder that LOBE_TEST_KERNELS names, so
+// that planted errors can be seen to fail.
+KernelText test_kernels();
 
 using Texts = std::map<std::string, std::string>;
 

@@ -10,13 +10,14 @@
 #include "report/estimate.h"
 #include "support/chi_square.h"
 #include "support/device.h"
+#include "support/probe.h"
 
 namespace lobe::test {
 
 namespace {
 
 // The models of all render tests, so that they share one kernel.
-const std::set<std::string> render_models = {"lambert", "modified_phong", "phong", "rational"};
+const std::set<std::string> render_models = {"lambert", "measured", "modified_phong", "phong", "rational"};
 
 testing::AssertionResult student(double difference, double error, double freedom, double tests) {
     const double t = error > 0 ? difference / error : difference == 0 ? 0 : INFINITY;
@@ -32,7 +33,7 @@ testing::AssertionResult student(double difference, double error, double freedom
 Picture render_picture(const Scene& scene, const PictureOptions& options) {
     PackOptions pack;
     pack.all_features = options.general;
-    const KernelText kernels;
+    const KernelText kernels = test_kernels();
     for (const BrdfTable& table : read_brdf_tables(kernels))
         if (render_models.count(table.name)) pack.models.push_back(table);
     const PackedScene packed = pack_scene(scene, pack);

@@ -38,6 +38,27 @@ TEST(KernelText, FolderTakesThePlaceOfTheEmbeddedFiles) {
     EXPECT_FALSE(kernels.has("brdf/brdf.h"));
 }
 
+TEST(KernelText, AddedTextsHideFiles) {
+    const TempFolder folder;
+    folder.write("brdf/a.h", "file");
+    for (const std::string& root : {std::string(), folder.path()}) {
+        KernelText kernels(root);
+        const std::size_t count = kernels.list("").size();
+        EXPECT_FALSE(kernels.has("../velvet.cl"));
+        kernels.add("../velvet.cl", "mine");
+        EXPECT_TRUE(kernels.has("../velvet.cl"));
+        EXPECT_TRUE(kernels.added("../velvet.cl"));
+        EXPECT_EQ(kernels.read("../velvet.cl"), "mine");
+        EXPECT_EQ(kernels.list("../").size(), 1u);
+        EXPECT_EQ(kernels.list("").size(), count + 1);
+        const std::string known = kernels.list("brdf/").front();
+        EXPECT_FALSE(kernels.added(known));
+        kernels.add(known, "other");
+        EXPECT_EQ(kernels.read(known), "other");
+        EXPECT_EQ(kernels.list("").size(), count + 1);
+    }
+}
+
 TEST(KernelText, RefusesWhatIsNotThere) {
     const TempFolder folder;
     folder.write("secret", "x");

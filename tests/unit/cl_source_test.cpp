@@ -101,6 +101,43 @@ TEST(Flatten, CyclesEnd) {
     EXPECT_EQ(occurrences(text, "BB\n"), 1u);
 }
 
+// A user's own file may include what lies beside it, and that in turn; kernels may not.
+TEST(Flatten, NeighboursOfAnAddedText) {
+    const TempFolder folder, own;
+    folder.write("core/real.h", "REAL\n");
+    folder.write("main.cl", "#include \"lobe_scene.h\"\n");
+    own.write("noise.h", "#include \"more/deep.h\"\nNOISE\n");
+    own.write("more/deep.h", "DEEP\n");
+    own.write("core/real.h", "not this one\n");
+    const std::string path = own.file("velvet.cl");
+    KernelText kernels(folder.path());
+    kernels.add(path, "#include \"core/real.h\"\n#include \"noise.h\"\n#include \"noise.h\"\n");
+    const std::map<std::string, std::string> scene = {
+        {"lobe_scene.h", "#include \"" + path + "\"\n"}};
+    const std::string text = flatten(kernels, "main.cl", scene);
+    for (const char* part : {"REAL\n", "NOISE\n", "DEEP\n"})
+        EXPECT_EQ(occurrences(text, part), 1u) << part;
+    EXPECT_EQ(occurrences(text, "not this one"), 0u);
+    EXPECT_NE(text.find("#line 1 \"" + own.file("more/deep.h") + "\"\nDEEP"), std::string::npos);
+
+    folder.write("core/real.h", "#include \"beside.h\"\n");
+    folder.write("core/beside.h", "");
+    EXPECT_THROW(flatten(kernels, "main.cl", scene), Error);
+}
+
+TEST(Flatten, AFileThatAUsersOwnLacksIsTheUsersFault) {
+    KernelText kernels;
+    kernels.add("velvet.cl", "\n  #include \"brdf/lobes.h\"\n");
+    try {
+        flatten(kernels, "velvet.cl");
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::scene);
+        EXPECT_EQ(error.where(), "velvet.cl:2:3");
+        EXPECT_NE(error.hint().find("brdf/lobe.h"), std::string::npos) << error.hint();
+    }
+}
+
 TEST(Flatten, MissingFileSaysWhere) {
     const TempFolder folder;
     folder.write("main.cl", "\n#include \"core/reel.h\"\n");

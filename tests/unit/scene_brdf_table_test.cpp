@@ -55,22 +55,35 @@ TEST(BrdfTable, ReadsRows) {
 
 TEST(BrdfTable, SaysWhichLineIsWrong) {
     EXPECT_EQ(fault("P(color, kd, 0.25, 0, inf, \"\") \\\n P(colour, ks, 0, 0, 1, \"\")"),
-              "brdf/x.h:4: a row of x_parameters is malformed");
-    EXPECT_EQ(fault("P(number, n, 1, 0, inf)"), "brdf/x.h:3: a row of x_parameters is malformed");
+              "brdf/x.h:4:2: a row of x_parameters is malformed");
+    EXPECT_EQ(fault("P(number, n, 1, 0, inf)"), "brdf/x.h:3:1: a row of x_parameters is malformed");
     EXPECT_EQ(fault("P(number, n, 1, 0, 2, \"\"), P(number, m, 1, 0, 2, \"\")"),
-              "brdf/x.h:3: a row of x_parameters is malformed");
+              "brdf/x.h:3:26: a row of x_parameters is malformed");
     EXPECT_EQ(fault("P(number, n, 3, 0, 2, \"\")"),
-              "brdf/x.h:3: the default lies outside its range (x's n)");
+              "brdf/x.h:3:1: the default lies outside its range (x's n)");
     EXPECT_EQ(fault("P(number, n, one, 0, 2, \"\")"),
-              "brdf/x.h:3: default and bounds must be numbers (x's n)");
+              "brdf/x.h:3:1: default and bounds must be numbers (x's n)");
     EXPECT_EQ(fault("P(number, n, 1, 0, 2, \"\") \\\n\tP(number, n, 1, 0, 2, \"\")"),
-              "brdf/x.h:4: the name comes twice (x's n)");
+              "brdf/x.h:4:2: the name comes twice (x's n)");
     EXPECT_EQ(fault("P(integer, n, 1.5, 0, 2, \"\")"),
-              "brdf/x.h:3: the default of an integer is no whole number (x's n)");
+              "brdf/x.h:3:1: the default of an integer is no whole number (x's n)");
     EXPECT_EQ(fault("P(choice, n, 0, 0, 2, \"a|b: x\")"),
-              "brdf/x.h:3: the bounds of a choice are 0 and the number of its last name (x's n)");
+              "brdf/x.h:3:1: the bounds of a choice are 0 and the number of its last name (x's n)");
     EXPECT_NE(fault("P(choice, n, 0, 0, 1, \"a or b\")"), "");
     EXPECT_THROW(parse_brdf_table("brdf/x.h", "int x;"), Error);
+}
+
+TEST(BrdfTable, ReadsAddedModels) {
+    KernelText kernels;
+    kernels.add("dir/velvet.cl", "#define velvet_parameters(P) \\\nP(number, n, 1, 0, 2, \"\")\n");
+    kernels.add("noise.h", "no model");
+    std::size_t own = 0;
+    for (const BrdfTable& table : read_brdf_tables(kernels)) {
+        own += table.own;
+        if (table.own) EXPECT_EQ(table.name + " " + table.file, "velvet dir/velvet.cl");
+    }
+    EXPECT_EQ(own, 1u);
+    EXPECT_EQ(read_brdf_tables(kernels).size(), read_brdf_tables(KernelText()).size() + 1);
 }
 
 TEST(BrdfTable, ReadsAllModelsOfTheKernels) {

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/plot_curves.h"
+
+#include <algorithm>
+
+#include "lab/parameter_sweep.h"
+#include "lab/plane.h"
+#include "lab/plot_style.h"
+
+namespace lobe {
+namespace {
+
+constexpr double panel_width = 340, panel_height = 240, left = 44, right = 16, top = 58,
+                 bottom = 46;
+
+// The lobes of the probe's first `sets` parameter sets, in degrees and parts of their peaks.
+std::vector<std::vector<glm::dvec2>> lobes_of(const BrdfProbe& probe, std::uint32_t sets) {
+    const Plane plane(probe);
+    std::vector<PlaneView> views;
+    std::vector<PlanePoint> points;
+    for (std::uint32_t set = 0; set < sets; ++set) views.push_back({set, 0});
+    for (const PlaneView& view : views)
+        for (const double angle : Plane::angles(0))
+            if (angle >= 0) points.push_back({view, angle});
+    const std::vector<PlaneLobe> lobes = plane.lobes(views);
+    const std::vector<double> f = plane.luminances(points);
+    std::vector<std::vector<glm::dvec2>> out(sets);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const PlaneLobe& lobe = lobes[points[i].from.set];
+        const double rise = lobe.any ? lobe.peak - lobe.base : lobe.peak;
+        const double g = rise > 0 ? (f[i] - (lobe.any ? lobe.base : 0)) / rise : 0;
+        out[points[i].from.set].push_back({glm::degrees(points[i].light), g});
+    }
+    return out;
+}
+
+class LobePlot {
+  public:
+    LobePlot(Drawing& drawing, double x, bool log) : drawing_(drawing) {
+        x_ = {0, 90, x, x + panel_width};
+        y_ = log ? Axis{1e-6, 1, top + panel_height, top, true}
+                 : Axis{0, 1, top + panel_height, top, false};
+    }
+
+    void draw(const LobePanel& panel, bool first) {
+        axes(first);
+        drawing_.add(Text{{x_.from, top - 34}, panel.title, text_ink, title_size});
+        drawing_.add(Text{{x_.from, top - 18}, panel.subtitle, note_ink, note_size});
+        std::vector<Curve> curves;
+        for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+            Curve curve{{}, series_ink(i, panel.curves.size()), panel.curves[i].label};
+            for (const glm::dvec2& p : panel.curves[i].points)
+                if (p.y >= y_.low && p.x <= x_.high)
+                    curve.points.push_back({x_.at(p.x), y_.at(std::min(p.y, y_.high))});
+            drawing_.add(Polyline{curve.points, curve.ink, 1.6});
+            curves.push_back(curve);
+        }
+        add_labels(drawing_, curves, {x_.from + 2, y_.to + 2}, {x_.to, y_.from - 2});
+    }
+
+  private:
+    void axes(bool first) {
+        for (const double value : y_.ticks()) {
+            const double y = y_.at(value);
+            drawing_.add(Polyline{{{x_.from, y}, {x_.to, y}}, grid_ink, 0.8});
+            if (first)
+                drawing_.add(Text{
+                    {x_.from - 6, y + 4}, plot_number(value), note_ink, note_size, Anchor::end});
+        }
+        for (const double degrees : {0, 15, 30, 45, 60, 75, 90}) {
+            const double x = x_.at(degrees);
+            drawing_.add(Polyline{{{x, y_.from}, {x, y_.from + 4}}, axis_ink, 0.8});
+            drawing_.add(Text{{x, y_.from + 16},
+                              plot_number(degrees) + "°",
+                              note_ink,
+                              note_size,
+                              Anchor::middle});
+        }
+        drawing_.add(Polyline{{{x_.from, y_.from}, {x_.to, y_.from}}, axis_ink, 0.8});
+        drawing_.add(Text{{0.5 * (x_.from + x_.to), y_.from + 34},
+                          "angle to the mirror direction",
+                          note_ink,
+                          note_size,
+                          Anchor::middle});
+    }
+
+    Drawing& drawing_;
+    Axis x_{}, y_{};
+};
+
+}  // namespace
+
+LobePanel lobe_panel(const Sharpened& model, const std::vector<double>& values) {
+    LobePanel panel{model.subject.model.name, model.subject.text(), {}};
+    std::vector<BrdfRows> sets(values.size(), model.subject.rows);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        sets[i][model.parameter] = {static_cast<float>(values[i]), 0, 0, 0};
+    model.probe.set_parameters(sets, model.subject.tables);
+    const auto lobes = lobes_of(model.probe, static_cast<std::uint32_t>(sets.size()));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        panel.curves.push_back(
+            {(i == 0 ? model.row().name + " = " : "") + plot_number(values[i]), lobes[i]});
+    return panel;
+}
+
+LobePanel lobe_panel(BrdfProbe& probe, const Subject& subject) {
+    probe.set_parameters({subject.rows}, subject.tables);
+    return {subject.model.name, subject.text(), {{"", lobes_of(probe, 1)[0]}}};
+}
+
+Drawing draw_lobes(const std::vector<LobePanel>& panels, bool log) {
+    Drawing drawing;
+    drawing.title = "Lobes over their peaks, at normal incidence";
+    drawing.height = top + panel_height + bottom;
+    double x = left;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        LobePlot(drawing, x, log).draw(panels[i], i == 0);
+        x += panel_width + 28;
+    }
+    drawing.width = x - 28 + right;
+    return drawing;
+}
+
+}  // namespace lobe

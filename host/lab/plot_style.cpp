@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/plot_style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace lobe {
+namespace {
+
+std::string superscript(int number) {
+    static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text;
+    for (const char c : std::to_string(number)) text += c == '-' ? "⁻" : digits[c - '0'];
+    return text;
+}
+
+struct Box {
+    glm::dvec2 low, high;
+    bool holds(const glm::dvec2& p) const {
+        return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
+    }
+    bool meets(const Box& other) const {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+               other.low.y <= high.y;
+    }
+};
+
+// Points of a line at even steps of its length.
+std::vector<glm::dvec2> stepped(const std::vector<glm::dvec2>& points, double step) {
+    std::vector<glm::dvec2> out;
+    double left = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const glm::dvec2 along = points[i] - points[i - 1];
+        const double length = glm::length(along);
+        for (; left < length; left += step) out.push_back(points[i - 1] + left / length * along);
+        left -= length;
+    }
+    return out;
+}
+
+}  // namespace
+
+Ink series_ink(std::size_t i, std::size_t count) {
+    static constexpr Ink knots[] = {
+        {13, 8, 135}, {106, 0, 168}, {177, 42, 144}, {225, 100, 98}, {252, 166, 54}};
+    const double place =
+        count > 1 ? 4.0 * static_cast<double>(i) / static_cast<double>(count - 1) : 0;
+    const auto knot = std::min<std::size_t>(static_cast<std::size_t>(place), 3);
+    const double t = place - static_cast<double>(knot);
+    const auto mix = [t](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround(a + t * (b - a)));
+    };
+    return {mix(knots[knot].red, knots[knot + 1].red),
+            mix(knots[knot].green, knots[knot + 1].green),
+            mix(knots[knot].blue, knots[knot + 1].blue)};
+}
+
+std::string plot_number(double value) {
+    const double exponent = std::floor(std::log10(std::abs(value)) + 1e-9);
+    if (value == 0 || (exponent > -4 && exponent < 5)) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.4g", value);
+        return text;
+    }
+    const double mantissa = value / std::pow(10.0, exponent);
+    const std::string power = "10" + superscript(static_cast<int>(exponent));
+    return std::abs(mantissa - 1) < 1e-6 ? power : plot_number(mantissa) + "·" + power;
+}
+
+double Axis::at(double value) const {
+    const double part =
+        log ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+    return from + part * (to - from);
+}
+
+std::vector<double> Axis::ticks() const {
+    std::vector<double> all;
+    if (log) {
+        const double decades = std::log10(high / low);
+        const double step = std::max(1.0, std::ceil(decades / 6));
+        for (double e = std::ceil(std::log10(low) - 1e-9); e <= std::log10(high) + 1e-9; e += step)
+            all.push_back(std::pow(10.0, e));
+        return all;
+    }
+    const double step = round_up((high - low) / 5.5);
+    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1)
+        all.push_back(k * step);
+    return all;
+}
+
+double round_up(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value) + 1e-12));
+    for (const double digit : {1.0, 2.0, 2.5, 5.0})
+        if (digit * power >= value * (1 - 1e-12)) return digit * power;
+    return 10 * power;
+}
+
+void add_labels(Drawing& drawing, const std::vector<Curve>& curves, const glm::dvec2& low,
+                const glm::dvec2& high) {
+    std::vector<glm::dvec2> inked;
+    for (const Curve& curve : curves) {
+        const std::vector<glm::dvec2> points = stepped(curve.points, 1);
+        inked.insert(inked.end(), points.begin(), points.end());
+    }
+    std::vector<Box> taken;
+    const Box bounds{low, high};
+    const glm::dvec2 middle = 0.5 * (low + high);
+    for (const Curve& curve : curves) {
+        if (curve.label.empty()) continue;
+        const double width = text_width(curve.label, text_size), ascent = 0.75 * text_size;
+        double least = 1e300;
+        Text best{};
+        Box best_box{};
+        for (const glm::dvec2& p : stepped(curve.points, 3))
+            for (const double side : {1.0, -1.0}) {
+                const double left = side > 0 ? p.x + 6 : p.x - 6 - width;
+                const Box box{{left - 2, p.y - ascent / 2 - 2},
+                              {left + width + 2, p.y + ascent / 2 + 2}};
+                if (!bounds.holds(box.low) || !bounds.holds(box.high)) continue;
+                double cost = 0.01 * std::abs(p.y - middle.y) + (side < 0 ? 1.5 : 0);
+                for (const glm::dvec2& q : inked) cost += box.holds(q) ? 4 : 0;
+                for (const Box& other : taken) cost += box.meets(other) ? 1000 : 0;
+                if (cost >= least) continue;
+                least = cost;
+                best_box = box;
+                best = {{left, p.y + ascent / 2}, curve.label, curve.ink, text_size, Anchor::start};
+            }
+        if (least == 1e300) continue;
+        taken.push_back(best_box);
+        drawing.add(best);
+    }
+}
+
+}  // namespace lobe
