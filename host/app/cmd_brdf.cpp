@@ -9,9 +9,9 @@ Command add_brdf_command(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("brdf", "the laboratory of reflectance models");
     verb->require_subcommand(1);
     const std::vector<std::pair<std::string, Command>> commands = {
-        {"list", add_brdf_list(*verb)},   {"check", add_brdf_check(*verb)},
-        {"new", add_brdf_new(*verb)},     {"table", add_brdf_table(*verb)},
-        {"trial", add_brdf_trial(*verb)},
+        {"list", add_brdf_list(*verb)}, {"check", add_brdf_check(*verb)},
+        {"new", add_brdf_new(*verb)},   {"table", add_brdf_table(*verb)},
+        {"plot", add_brdf_plot(*verb)}, {"trial", add_brdf_trial(*verb)},
     };
     return [verb, commands] {
         for (const auto& [name, command] : commands)

@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/brdf_command.h"
+#include "app/user_models.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "base/signals.h"
 #include "base/timer.h"
 #include "cl/device.h"
 #include "lab/check.h"
@@ -94,12 +96,24 @@ std::vector<const BrdfTable*> chosen(const std::vector<BrdfTable>& models,
     return tables;
 }
 
+// A user's own models run in a process of their own before they run here.
+bool try_own(const std::vector<const BrdfTable*>& tables, const KernelText& kernels,
+             const CommonOptions& options) {
+    std::vector<BrdfTable> own;
+    for (const BrdfTable* table : tables)
+        if (table->own) own.push_back(*table);
+    return own.empty() || try_user_models(open_device(options.device), kernels, own, options);
+}
+
 int run(const Options& options) {
     set_quiet(options.common.quiet);
     const Stopwatch watch;
-    const KernelText kernels = open_kernels(options.common);
+    KernelText kernels = open_kernels(options.common);
+    std::vector<std::string> names = options.models;
+    add_user_files(kernels, names);
     const std::vector<BrdfTable> models = read_brdf_tables(kernels);
-    const std::vector<const BrdfTable*> tables = chosen(models, options.models);
+    const std::vector<const BrdfTable*> tables = chosen(models, names);
+    if (!try_own(tables, kernels, options.common)) return stop_exit_code();
     if (options.extremes)
         return run_brdf_extremes(options.common, kernels, tables, options.grid == "reduced");
     const Device device = open_device(options.common.device);
@@ -144,9 +158,9 @@ int run(const Options& options) {
 Command add_brdf_check(CLI::App& verb) {
     CLI::App* check = verb.add_subcommand("check", "whether models are what they say");
     auto options = std::make_shared<Options>();
-    check->add_option("models", options->models, "names of models, or all")
+    check->add_option("models", options->models, "names of models, files of your own, or all")
         ->required()
-        ->type_name("NAME|all");
+        ->type_name("NAME|FILE|all");
     check->add_option("--grid", options->grid, "how much to look at: reduced is for simulators")
         ->check(CLI::IsMember({"full", "reduced"}));
     check->add_option("--seed", options->seed, "of the random numbers");

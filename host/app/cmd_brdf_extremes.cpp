@@ -45,8 +45,7 @@ std::string parameter_value(double value) {
     if (value == 1 + 0x1p-23) return "1+ulp";
     char text[32];
     int digits = 4;
-    do
-        std::snprintf(text, sizeof text, "%.*g", digits, value);
+    do std::snprintf(text, sizeof text, "%.*g", digits, value);
     while (++digits <= 9 && std::strtof(text, nullptr) != value);
     return text;
 }

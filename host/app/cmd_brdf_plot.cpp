@@ -14,6 +14,7 @@
 #include "lab/plot_curves.h"
 #include "lab/plot_polar.h"
 #include "lab/plot_sphere.h"
+#include "lab/sphere_scene.h"
 #include "report/image_io.h"
 #include "report/picture.h"
 #include "report/raster.h"

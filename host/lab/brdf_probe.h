@@ -68,6 +68,7 @@ class BrdfProbe {
     std::vector<glm::dvec3> formula(const BrdfQuery& query) const;
 
     const BrdfTable& model() const { return model_; }
+    Precision precision() const { return precision_; }
     const std::vector<BrdfClaims>& claims() const { return claims_; }  // one a set
     std::size_t prepared_bytes() const { return prepared_bytes_; }
     double compile_seconds() const { return program_.build_seconds; }

@@ -15,14 +15,20 @@ class KernelText;
 
 // How much of a model's parameters and directions is looked at.
 struct CheckEffort {
-    std::size_t sets = 36;        // of parameters
-    std::size_t samples = 40000;  // for each set and angle
-    std::size_t directions = 48;  // of each kind, for each set and angle
+    std::size_t sets = 36;  // of parameters
     std::size_t extreme_sets = 200;
-    std::size_t cells = 96;                              // of the hemisphere
-    int rounds = 40;                                     // of the cubature's splitting
     std::vector<double> angles = {0.05, 45, 80, 89.99};  // of incidence, degrees
+    std::size_t directions = 48;                         // of each kind, for each set and angle
+    std::size_t samples = 40000;                         // for each set and angle
+    std::size_t pilot = 2048;                            // samples that shape the cells
+    std::size_t lookout = 250;  // points about each place where models have peaks
+    std::size_t cells = 96;     // of the hemisphere
+    double resolution = 5e-4;   // what quadrature must reach to judge by it
+    std::size_t furnace_sets = 3;
+    std::uint32_t furnace_pixels = 16, furnace_samples = 64;
     std::vector<double> furnace_angles = {20, 75};
+    // Whether a claim that is withheld must be seen broken; a few sets may not show it.
+    bool both_ways = true;
 
     // For devices a thousand times slower, such as simulators.
     static CheckEffort reduced();

@@ -61,7 +61,8 @@ class ClaimTest {
   public:
     ClaimTest(std::string check, double limit) : finding_(std::move(check)), limit_(limit) {}
     void see(bool claimed, double violation, const std::string& where);
-    Finding finish(const std::string& claim);
+    // `both_ways`: it fails if no violation was seen where the claim is withheld.
+    Finding finish(const std::string& claim, bool both_ways);
 
   private:
     Finding finding_;

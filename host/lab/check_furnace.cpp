@@ -16,10 +16,8 @@
 namespace lobe {
 namespace {
 
-constexpr std::uint32_t pixels = 16;
-
 Scene furnace_scene(const BrdfTable& model, const BrdfRows& rows, const glm::dvec3& wo,
-                    const std::vector<float>& tables) {
+                    const std::vector<float>& tables, std::uint32_t pixels) {
     Scene scene;
     scene.materials.push_back({model.name, rows, model.name, "the furnace"});
     scene.tables = tables;
@@ -46,7 +44,8 @@ double reckoned_albedo(const CheckContext& context, std::uint32_t set, const glm
     std::vector<PilotPoint> pilot;
     Random random(5);
     BrdfQuery numbers;
-    for (int k = 0; k < 2048; ++k)
+    const CheckEffort& effort = context.options.effort;
+    for (std::size_t k = 0; k < effort.pilot; ++k)
         numbers.add(set, wo,
                     {random.uniform_float(), random.uniform_float(), random.uniform_float()});
     jobs[0].towards = std::atan2(-wo.y, -wo.x);
@@ -56,19 +55,20 @@ double reckoned_albedo(const CheckContext& context, std::uint32_t set, const glm
         if (!s.delta && s.pdf > 0)
             pilot.push_back({elevation_azimuth(s.wi, jobs[0].towards), s.pdf});
     }
-    for (int i = 0; i < 128; ++i)
-        pilot.push_back({(i / 16 + 0.5) / 8 * 1.5708, (i % 16 - 7.5) / 8 * 3.1416, 0});
-    const HemisphereCells cells(std::move(pilot), 128);
+    const HemisphereCells cells(std::move(pilot), effort.cells);
     jobs[0].patches = cells.patches();
     jobs[0].pilot = cells.pilot();
-    integrate(jobs, [&](const HemisphereNodes& nodes) {
+    CubatureOptions cubature;
+    cubature.relative = 0.04 * effort.resolution;
+    const auto values_at = [&](const HemisphereNodes& nodes) {
         BrdfQuery query;
         for (const glm::dvec3& wi : nodes.directions) query.add(set, wo, wi);
         std::vector<HemisphereJob::Values> values;
         for (const BrdfValue& v : context.probe.eval(query))
             values.push_back({v.pdf, v.f.x, v.f.y, v.f.z, 0});
         return values;
-    });
+    };
+    integrate(jobs, values_at, cubature);
     *unsure = jobs[0].error[2];
     const HemisphereJob::Values& total = jobs[0].total;
     return delta + luminance(glm::vec3(total[1], total[2], total[3]));
@@ -80,24 +80,27 @@ Finding check_furnace(CheckContext& context) {
     Finding finding("furnace");
     finding.note = "mean of a picture against quadrature";
     std::vector<BrdfRows> rows;
-    const std::size_t some[] = {0, context.sets.size() / 3, 2 * context.sets.size() / 3};
+    const CheckEffort& effort = context.options.effort;
+    std::vector<std::size_t> some;
+    for (std::size_t k = 0; k < std::min(effort.furnace_sets, context.sets.size()); ++k)
+        some.push_back(k * context.sets.size() / effort.furnace_sets);
     for (const std::size_t set : some) rows.push_back(context.sets[set].rows);
     context.probe.set_parameters(rows, context.tables);
     for (std::uint32_t set = 0; set < rows.size(); ++set) {
-        if (set > 0 && some[set] == some[set - 1]) continue;
-        for (const double degrees : context.options.effort.furnace_angles) {
+        for (const double degrees : effort.furnace_angles) {
             const glm::dvec3 wo = view_at(degrees);
             double unsure = 0;
             const double albedo = reckoned_albedo(context, set, wo, &unsure);
             PackOptions pack;
             pack.all_features = true;
             pack.models = context.options.kernel_models;
-            const PackedScene scene =
-                pack_scene(furnace_scene(context.model, rows[set], wo, context.tables), pack);
+            const PackedScene scene = pack_scene(
+                furnace_scene(context.model, rows[set], wo, context.tables, effort.furnace_pixels),
+                pack);
             Session session(context.device, context.kernels, scene);
             session.set_seed(context.options.seed);
             RenderPlan plan;
-            plan.samples = 64;
+            plan.samples = effort.furnace_samples;
             const Estimate picture = estimate(render(session, plan).film);
             const std::string place =
                 context.sets[some[set]].text + " at " + short_number(degrees) + " deg";

@@ -14,9 +14,7 @@ namespace {
 
 // Cases worked on at once: enough for a launch to be worth while, few enough for memory.
 constexpr std::size_t batch = 24;
-constexpr std::size_t pilot_samples = 2048;
-// Quadrature is trusted to this part of a value, and must be for all but this part of the cases.
-constexpr double resolution = 5e-4;
+// The share of cases that may be too sharp for quadrature to judge them.
 constexpr double most_unresolved = 0.5;
 
 // What the samples of one case said.
@@ -47,13 +45,15 @@ class SamplingChecks {
     }
 
     std::vector<Finding> finish() {
-        resolved_.worst = static_cast<double>(unresolved_) / static_cast<double>(resolved_.tests);
-        return {horizon_, density_.finish("keeping all samples"), chi_square_,
-                albedo_,  energy_.finish("conserving energy"),    variance_,
+        resolved_.worst = static_cast<double>(unresolved_) /
+                          std::max<double>(1, static_cast<double>(resolved_.tests));
+        return {horizon_, density_.finish("keeping all samples", effort().both_ways), chi_square_,
+                albedo_,  energy_.finish("conserving energy", effort().both_ways),    variance_,
                 resolved_};
     }
 
   private:
+    const CheckEffort& effort() const { return context_.options.effort; }
     const CheckCase& at(std::size_t i) const { return context_.cases[i]; }
     // Azimuth of the mirror direction: a lobe there is not cut in two.
     static double towards(const CheckCase& c) { return std::atan2(-c.wo.y, -c.wo.x); }
@@ -72,27 +72,28 @@ class SamplingChecks {
 
     // Points near the directions where models have their peaks, ever denser towards them, and an
     // even background: what samples may miss.
-    static std::vector<glm::dvec2> lookout(const CheckCase& c) {
+    std::vector<glm::dvec2> lookout(const CheckCase& c) const {
         std::vector<glm::dvec2> points;
         Random random(3);
         const double elevation = std::asin(std::min(1.0, c.wo.z));
         for (const glm::dvec2 peak : {glm::dvec2(elevation, 0), glm::dvec2(elevation, 3)})
-            for (int k = 0; k < 250; ++k) {
+            for (std::size_t k = 0; k < effort().lookout; ++k) {
                 const double far = random.log_uniform(1e-4, 1), turn = random.uniform(0, 6.3);
                 const glm::dvec2 p = peak + far * glm::dvec2(std::sin(turn), std::cos(turn));
                 if (p.x > 0 && p.x < glm::half_pi<double>() && std::abs(p.y) < 3.14)
                     points.push_back(p);
             }
-        for (int i = 0; i < 8; ++i)
-            for (int j = 0; j < 16; ++j)
-                points.push_back({(i + 0.5) / 8 * glm::half_pi<double>(),
-                                  ((j + 0.5) / 8 - 1) * glm::pi<double>()});
+        const int rows = effort().lookout < 100 ? 2 : 8;
+        for (int i = 0; i < rows; ++i)
+            for (int j = 0; j < 2 * rows; ++j)
+                points.push_back({(i + 0.5) / rows * glm::half_pi<double>(),
+                                  ((j + 0.5) / rows - 1) * glm::pi<double>()});
         return points;
     }
 
     // Cells as fine as the model's own samples are dense, for each case of a batch.
     std::vector<HemisphereCells> make_cells(std::size_t first, std::size_t last) {
-        const std::vector<BrdfSampled> drawn = draw(first, last, pilot_samples, 0);
+        const std::vector<BrdfSampled> drawn = draw(first, last, effort().pilot, 0);
         BrdfQuery query;
         std::vector<std::vector<PilotPoint>> pilots(last - first);
         for (std::size_t i = first; i < last; ++i)
@@ -106,12 +107,12 @@ class SamplingChecks {
         for (std::size_t i = first; i < last; ++i) {
             std::vector<PilotPoint>& pilot = pilots[i - first];
             for (PilotPoint& point : pilot) point.z = seen[place++].pdf;
-            for (std::size_t k = 0; k < pilot_samples; ++k) {
-                const BrdfSampled& s = drawn[(i - first) * pilot_samples + k];
+            for (std::size_t k = 0; k < effort().pilot; ++k) {
+                const BrdfSampled& s = drawn[(i - first) * effort().pilot + k];
                 if (s.wi.z > 0 && !s.delta && s.pdf > 0)
                     pilot.push_back({elevation_azimuth(s.wi, towards(at(i))), s.pdf});
             }
-            cells.emplace_back(std::move(pilot), context_.options.effort.cells);
+            cells.emplace_back(std::move(pilot), effort().cells);
         }
         return cells;
     }
@@ -187,10 +188,10 @@ class SamplingChecks {
     }
 
     void run_batch(std::size_t first, std::size_t last) {
-        const std::size_t count = context_.options.effort.samples;
+        const std::size_t count = effort().samples;
         const std::vector<HemisphereCells> cells = make_cells(first, last);
         CubatureOptions cubature;
-        cubature.rounds = context_.options.effort.rounds;
+        cubature.relative = 0.04 * effort().resolution;
         std::vector<HemisphereJob> jobs = jobs_for(first, last, cells);
         integrate(
             jobs, [&](const HemisphereNodes& n) { return seen_from_viewer(n); }, cubature);
@@ -228,12 +229,12 @@ class SamplingChecks {
         horizon_.see(drawn.outside, c.text);
         const double albedo = (job.total[1] + job.total[2] + job.total[3]) / 3 + drawn.delta_albedo;
         const double coarse = std::max(job.error[0], albedo > 0 ? job.error[1] / albedo : 0);
-        if (!(coarse <= resolution)) {
+        if (!(coarse <= effort().resolution)) {
             ++unresolved_;
             resolved_.where = c.text;
         }
         resolved_.see(0, "");
-        if (!(coarse <= resolution)) return;
+        if (!(coarse <= effort().resolution)) return;
         judge_energy(c, job, drawn.delta_albedo, "");
         if (albedo == 0 && drawn.lost == static_cast<double>(drawn.weights.size())) return;
         judge_density(c, job, drawn);
@@ -245,7 +246,7 @@ class SamplingChecks {
         const auto count = static_cast<double>(drawn.weights.size());
         const double mass = job.total[0] + drawn.delta_share;
         density_.see(context_.claims(c).keeps_samples,
-                     std::max(std::abs(mass - 1) - job.error[0], drawn.lost / count), c.text);
+                     std::max(std::abs(mass - 1) - 2 * job.error[0], drawn.lost / count), c.text);
         std::vector<double> expected(drawn.counts.size());
         for (std::size_t k = 0; k + 1 < expected.size(); ++k)
             expected[k] = std::max(0.0, count * job.by_cell[k][0]);

@@ -51,7 +51,8 @@ class ValueChecks {
     }
 
     std::vector<Finding> finish() {
-        return {formula_, precision_, samples_, weight_, reciprocity_.finish("reciprocal")};
+        return {formula_, precision_, samples_, weight_,
+                reciprocity_.finish("reciprocal", context_.options.effort.both_ways)};
     }
 
   private:

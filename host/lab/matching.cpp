@@ -36,27 +36,31 @@ std::vector<double> Sharpened::scan() const {
 
 namespace {
 
-// Of values for a row without an end, or of parts of its end, those in its range.
-std::vector<double> within(const BrdfParameter& row, const std::vector<double>& open,
-                           const std::vector<double>& parts) {
-    std::vector<double> values;
-    const bool ends = std::isfinite(row.highest);
-    for (const double v : ends ? parts : open) {
-        const double value = ends ? v * row.highest : v;
-        if (value >= row.lowest) values.push_back(value);
-    }
-    return values;
+std::vector<double> in_range(const BrdfParameter& row, const std::vector<double>& values) {
+    std::vector<double> out;
+    for (const double v : values)
+        if (v >= row.lowest && v <= row.highest) out.push_back(v);
+    return out;
+}
+
+// Of `values`, or of multiples of the default where the row's range ends, those in the range.
+std::vector<double> within(const BrdfParameter& row, const std::vector<double>& values,
+                           const std::vector<double>& multiples) {
+    if (std::isinf(row.highest)) return in_range(row, values);
+    std::vector<double> scaled;
+    const double middle = row.standard > 0 ? row.standard : 0.1 * row.highest;
+    for (const double m : multiples) scaled.push_back(m * middle);
+    return in_range(row, scaled);
 }
 
 }  // namespace
 
 std::vector<double> Sharpened::examples() const {
-    return within(row(), {1, 2, 5, 10, 100, 1e3, 1e4, 1e6},
-                  {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0});
+    return within(row(), {1, 2, 5, 10, 100, 1e3, 1e4, 1e6}, {0.125, 0.25, 0.5, 1, 2, 4, 8});
 }
 
 std::vector<double> Sharpened::few() const {
-    return within(row(), {0.1, 1, 10, 100, 1000}, {0.05, 0.1, 0.2, 0.4, 0.8});
+    return within(row(), {0.1, 1, 10, 100, 1000}, {0.25, 0.5, 1, 2, 4});
 }
 
 std::optional<std::size_t> shaping_parameter(BrdfProbe& probe, const Subject& subject,

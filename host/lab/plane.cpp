@@ -114,6 +114,10 @@ std::vector<double> Plane::angles(double view) {
             all.push_back(centre + off);
         }
     }
+    for (double part = 0.5; part > 1e-4;
+         part *= 0.8)  // where values may go steep, near the horizon
+        for (const double side : {-grazing, grazing})
+            all.push_back(side * (1 - glm::radians(part)));
     tidy(all);
     return all;
 }

@@ -10,7 +10,7 @@
 namespace lobe {
 namespace {
 
-constexpr double panel_width = 340, panel_height = 240, left = 44, right = 16, top = 58,
+constexpr double panel_width = 340, panel_height = 240, left = 44, right = 16, top = 68,
                  bottom = 46;
 
 // The lobes of the probe's first `sets` parameter sets, in degrees and parts of their peaks.
@@ -44,8 +44,8 @@ class LobePlot {
 
     void draw(const LobePanel& panel, bool first) {
         axes(first);
-        drawing_.add(Text{{x_.from, top - 34}, panel.title, text_ink, title_size});
-        drawing_.add(Text{{x_.from, top - 18}, panel.subtitle, note_ink, note_size});
+        drawing_.add(Text{{x_.from, top - 44}, panel.title, text_ink, title_size});
+        drawing_.add(Text{{x_.from, top - 28}, panel.subtitle, note_ink, note_size});
         std::vector<Curve> curves;
         for (std::size_t i = 0; i < panel.curves.size(); ++i) {
             Curve curve{{}, series_ink(i, panel.curves.size()), panel.curves[i].label};
@@ -60,6 +60,9 @@ class LobePlot {
 
   private:
     void axes(bool first) {
+        if (first)
+            drawing_.add(Text{
+                {x_.from - 36, y_.to - 10}, "(f - least) / (peak - least)", note_ink, note_size});
         for (const double value : y_.ticks()) {
             const double y = y_.at(value);
             drawing_.add(Polyline{{{x_.from, y}, {x_.to, y}}, grid_ink, 0.8});

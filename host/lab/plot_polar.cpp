@@ -11,7 +11,7 @@
 namespace lobe {
 namespace {
 
-constexpr double radius = 168, left = 26, right = 30, top = 74, bottom = 40, gap = 30;
+constexpr double radius = 168, left = 42, right = 22, top = 74, bottom = 40, gap = 44;
 constexpr std::size_t columns = 3;
 
 class PolarPlot {

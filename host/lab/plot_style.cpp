@@ -57,8 +57,9 @@ Ink series_ink(std::size_t i, std::size_t count) {
 }
 
 std::string plot_number(double value) {
+    if (value == 0) return "0";  // and never -0
     const double exponent = std::floor(std::log10(std::abs(value)) + 1e-9);
-    if (value == 0 || (exponent > -4 && exponent < 5)) {
+    if (exponent > -4 && exponent < 5) {
         char text[32];
         std::snprintf(text, sizeof text, "%.4g", value);
         return text;
@@ -98,11 +99,8 @@ double round_up(double value) {
 
 void add_labels(Drawing& drawing, const std::vector<Curve>& curves, const glm::dvec2& low,
                 const glm::dvec2& high) {
-    std::vector<glm::dvec2> inked;
-    for (const Curve& curve : curves) {
-        const std::vector<glm::dvec2> points = stepped(curve.points, 1);
-        inked.insert(inked.end(), points.begin(), points.end());
-    }
+    std::vector<std::vector<glm::dvec2>> inked;
+    for (const Curve& curve : curves) inked.push_back(stepped(curve.points, 1));
     std::vector<Box> taken;
     const Box bounds{low, high};
     const glm::dvec2 middle = 0.5 * (low + high);
@@ -117,9 +115,12 @@ void add_labels(Drawing& drawing, const std::vector<Curve>& curves, const glm::d
                 const double left = side > 0 ? p.x + 6 : p.x - 6 - width;
                 const Box box{{left - 2, p.y - ascent / 2 - 2},
                               {left + width + 2, p.y + ascent / 2 + 2}};
+                const Box wide{box.low - 8.0, box.high + 8.0};  // where others mislead
                 if (!bounds.holds(box.low) || !bounds.holds(box.high)) continue;
                 double cost = 0.01 * std::abs(p.y - middle.y) + (side < 0 ? 1.5 : 0);
-                for (const glm::dvec2& q : inked) cost += box.holds(q) ? 4 : 0;
+                for (std::size_t i = 0; i < curves.size(); ++i)
+                    for (const glm::dvec2& q : inked[i])
+                        cost += box.holds(q) ? 4 : &curves[i] != &curve && wide.holds(q) ? 0.4 : 0;
                 for (const Box& other : taken) cost += box.meets(other) ? 1000 : 0;
                 if (cost >= least) continue;
                 least = cost;

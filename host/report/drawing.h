@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace lobe {
@@ -22,14 +21,9 @@ struct Polyline {
     double dash = 0;  // length of dashes and of the gaps between them; 0: a whole line
 };
 
-struct Rect {
-    glm::dvec2 low, high;
-    Ink ink;
-};
-
 struct Dot {
-    glm::dvec2 centre;
-    double radius;
+    glm::dvec2 centre{0};
+    double radius = 1;
     Ink ink;
 };
 
@@ -37,23 +31,24 @@ enum class Anchor { start, middle, end };
 
 // One line of text; `at` lies on its baseline.
 struct Text {
-    glm::dvec2 at;
+    glm::dvec2 at{0};
     std::string text;
     Ink ink;
     double size = 11;
     Anchor anchor = Anchor::start;
 };
 
-// Painted in order, texts last.
+// Painted in this order.
 struct Drawing {
     double width = 0, height = 0;
     std::string title;  // for readers who do not see it
-    std::vector<std::variant<Polyline, Rect, Dot, Text>> shapes;
+    std::vector<Polyline> lines;
+    std::vector<Dot> dots;
+    std::vector<Text> texts;
 
-    template <typename Shape>
-    void add(Shape shape) {
-        shapes.push_back(std::move(shape));
-    }
+    void add(Polyline line) { lines.push_back(std::move(line)); }
+    void add(const Dot& dot) { dots.push_back(dot); }
+    void add(Text text) { texts.push_back(std::move(text)); }
 };
 
 // About how wide a text is: of the fonts that may show it, DejaVu Sans is among the widest.

@@ -43,27 +43,19 @@ class Painter {
     Painter(ImageFile& image, double scale)
         : image_(image), scale_(scale), mask_(image.width * std::size_t(image.height)) {}
 
-    void operator()(const Polyline& line) {
+    void draw(const Polyline& line) {
         if (line.dash > 0)
             for (const auto& piece : dashes(line.points, line.dash)) stroke(piece, line.width);
         else
             stroke(simplified(line.points, 0.02), line.width);
         paint(line.ink);
     }
-    void operator()(const Rect& rect) {
-        cover(rect.low, rect.high, [&](const glm::dvec2& p) {
-            const glm::dvec2 inside = glm::min(p - rect.low, rect.high - p) * scale_;
-            return std::min(std::min(inside.x, inside.y) + 0.5, 1.0);
-        });
-        paint(rect.ink);
-    }
-    void operator()(const Dot& dot) {
+    void draw(const Dot& dot) {
         cover(dot.centre - dot.radius, dot.centre + dot.radius, [&](const glm::dvec2& p) {
             return (dot.radius - glm::distance(p, dot.centre)) * scale_ + 0.5;
         });
         paint(dot.ink);
     }
-    void operator()(const Text&) {}
 
   private:
     void stroke(const std::vector<glm::dvec2>& points, double width) {
@@ -110,14 +102,12 @@ class Painter {
     std::vector<float> mask_;
 };
 
-std::vector<Text> texts_of(const Drawing& drawing, double scale) {
-    std::vector<Text> texts;
-    for (const auto& shape : drawing.shapes)
-        if (const Text* text = std::get_if<Text>(&shape)) {
-            texts.push_back(*text);
-            texts.back().at *= scale;
-            texts.back().size *= scale;
-        }
+// Texts in units of pixels.
+std::vector<Text> scaled(std::vector<Text> texts, double scale) {
+    for (Text& text : texts) {
+        text.at *= scale;
+        text.size *= scale;
+    }
     return texts;
 }
 
@@ -132,12 +122,13 @@ ImageFile rasterise(const Drawing& drawing, ImageIo& images, double scale) {
     image.bytes = true;
     image.pixels.assign(3 * std::size_t(image.width) * image.height, 255);
     Painter painter(image, scale);
-    for (const auto& shape : drawing.shapes) std::visit(painter, shape);
-    const std::vector<Text> texts = texts_of(drawing, scale);
+    for (const Polyline& line : drawing.lines) painter.draw(line);
+    for (const Dot& dot : drawing.dots) painter.draw(dot);
     const std::string font = find_font();
-    if (!texts.empty() && font.empty())
+    if (font.empty())
         warn("no font is found: the picture has no labels (install fonts-dejavu-core)");
-    if (!texts.empty() && !font.empty()) images.draw_texts(image, font, texts);
+    else
+        images.draw_texts(image, font, scaled(drawing.texts, scale));
     for (float& value : image.pixels) value = std::floor(glm::clamp(value, 0.0f, 255.0f) + 0.5f);
     return image;
 }

@@ -49,7 +49,7 @@ std::string colour(const Ink& ink) {
 struct Writer {
     std::string out;
 
-    void operator()(const Polyline& line) {
+    void write(const Polyline& line) {
         std::string points;
         for (const glm::dvec2& p : simplified(line.points, 0.05))
             points += (points.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
@@ -58,18 +58,11 @@ struct Writer {
         if (line.dash > 0) out += attribute("stroke-dasharray", line.dash);
         out += "/>\n";
     }
-    void operator()(const Rect& rect) {
-        out += "<rect" + attribute("x", rect.low.x) + attribute("y", rect.low.y) +
-               attribute("width", rect.high.x - rect.low.x) +
-               attribute("height", rect.high.y - rect.low.y) + attribute("fill", colour(rect.ink)) +
-               "/>\n";
-    }
-    void operator()(const Dot& dot) {
+    void write(const Dot& dot) {
         out += "<circle" + attribute("cx", dot.centre.x) + attribute("cy", dot.centre.y) +
                attribute("r", dot.radius) + attribute("fill", colour(dot.ink)) + "/>\n";
     }
-    // A rim of the paper's colour keeps text readable where it crosses a line.
-    void operator()(const Text& text) {
+    void write(const Text& text) {
         static const char* const anchors[] = {"start", "middle", "end"};
         out += "<text" + attribute("x", text.at.x) + attribute("y", text.at.y) +
                attribute("fill", colour(text.ink)) + attribute("font-size", text.size);
@@ -89,11 +82,11 @@ std::string to_svg(const Drawing& drawing) {
                  " font-family=\"DejaVu Sans, Verdana, sans-serif\" stroke-linejoin=\"round\"" +
                  " stroke-linecap=\"round\">\n<title>" + escaped(drawing.title) + "</title>\n" +
                  "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-    for (const auto& shape : drawing.shapes)
-        if (!std::holds_alternative<Text>(shape)) std::visit(writer, shape);
+    for (const Polyline& line : drawing.lines) writer.write(line);
+    for (const Dot& dot : drawing.dots) writer.write(dot);
+    // A rim of the paper's colour keeps text readable where it crosses a line.
     writer.out += "<g stroke=\"#fff\" stroke-width=\"3\" style=\"paint-order:stroke\">\n";
-    for (const auto& shape : drawing.shapes)
-        if (const Text* text = std::get_if<Text>(&shape)) writer(*text);
+    for (const Text& text : drawing.texts) writer.write(text);
     return writer.out + "</g>\n</svg>\n";
 }
 

@@ -17,7 +17,8 @@ namespace lobe::test {
 namespace {
 
 // The models of all render tests, so that they share one kernel.
-const std::set<std::string> render_models = {"lambert", "measured", "modified_phong", "phong", "rational"};
+const std::set<std::string> render_models = {"lambert", "measured", "modified_phong", "phong",
+                                             "rational"};
 
 testing::AssertionResult student(double difference, double error, double freedom, double tests) {
     const double t = error > 0 ? difference / error : difference == 0 ? 0 : INFINITY;

@@ -262,7 +262,8 @@ TEST(Measured, WhatIsDoubtfulIsTold) {
         "Material \"measured\" \"string filename\" \"table.txt\" Shape \"sphere\"";
     const Scene bright = read_beside("brdf 1 1 1  0.4 0.2 0.3\n", world);
     ASSERT_EQ(bright.warnings.size(), 1u);
-    EXPECT_NE(bright.warnings[0].find(":2:39: the table reflects up to 1.257 times"), std::string::npos)
+    EXPECT_NE(bright.warnings[0].find(":2:39: the table reflects up to 1.257 times"),
+              std::string::npos)
         << bright.warnings[0];
     const Scene gaps = read_beside("brdf 1 2 1  .1 .1 .1 -1 -1 -1\n", world);
     ASSERT_EQ(gaps.warnings.size(), 1u);
@@ -288,8 +289,9 @@ TEST(Measured, FaultsOfMaterials) {
               "no file 'none.txt'");
     EXPECT_EQ(fault("Material \"measured\" \"string filename\" \"s.pbrt\""),
               "this is no table of reflectance");
-    EXPECT_EQ(fault("Material \"measured\" \"string filename\" \"table.txt\" \"rgb scale\" [1 1 -1]"),
-              "parameter \"scale\" of material \"measured\" wants a value from 0 to 1000, has -1");
+    EXPECT_EQ(
+        fault("Material \"measured\" \"string filename\" \"table.txt\" \"rgb scale\" [1 1 -1]"),
+        "parameter \"scale\" of material \"measured\" wants a value from 0 to 1000, has -1");
     const TempFolder folder;
     const std::string path = folder.write("s.pbrt", world4("Shape \"sphere\""));
     ReadOptions options;

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only code that knows OpenImageIO. It is a module of its own, opened on demand: loading that
-// library costs some 0.2 s and 130 MB, which `lobe --help` should not pay.
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
+// With text.cpp the only code that knows OpenImageIO. It is a module of its own, opened on demand:
+// loading that library costs some 0.2 s and 130 MB, which `lobe --help` should not pay.
 #include <OpenImageIO/imageio.h>
-
-#include <cmath>
 
 #include "report/image_file.h"
 
@@ -87,32 +83,4 @@ extern "C" void lobe_read_image(const char* path, ImageFile& image, std::string&
     for (const auto& attribute : spec.extra_attribs)
         image.attributes[attribute.name().string()] = attribute.get_string();
     if (!good) error = input->geterror();
-}
-
-extern "C" void lobe_draw_texts(ImageFile& image, const char* font,
-                                const std::vector<lobe::Text>& texts, std::string& error) {
-    using OIIO::ImageBufAlgo::TextAlignX;
-    OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), 3,
-                         OIIO::TypeDesc::FLOAT);
-    OIIO::ImageBuf buffer(spec, image.pixels.data());
-    for (const lobe::Text& text : texts) {
-        const TextAlignX align = text.anchor == lobe::Anchor::start    ? TextAlignX::Left
-                                 : text.anchor == lobe::Anchor::middle ? TextAlignX::Center
-                                                                       : TextAlignX::Right;
-        const auto draw = [&](double x, double y, const lobe::Ink& ink) {
-            const float colour[] = {float(ink.red), float(ink.green), float(ink.blue)};
-            return OIIO::ImageBufAlgo::render_text(
-                buffer, static_cast<int>(std::lround(text.at.x + x)),
-                static_cast<int>(std::lround(text.at.y + y)), text.text,
-                static_cast<int>(std::lround(text.size)), font, colour, align);
-        };
-        const double rim = text.size / 9;
-        bool good = true;
-        for (int k = 0; k < 8; ++k)
-            good =
-                good && draw(rim * std::cos(k * 0.785), rim * std::sin(k * 0.785), {255, 255, 255});
-        if (good && draw(0, 0, text.ink)) continue;
-        error = buffer.geterror();
-        return;
-    }
 }
