@@ -12,6 +12,8 @@ Command add_brdf_check(CLI::App& verb);
 Command add_brdf_new(CLI::App& verb);
 Command add_brdf_table(CLI::App& verb);
 Command add_brdf_plot(CLI::App& verb);
+Command add_brdf_doc(CLI::App& verb);
+Command add_brdf_fit(CLI::App& verb);
 Command add_brdf_trial(CLI::App& verb);
 
 // lobe brdf check --extremes: the report on stiff and extreme cases; gives the exit code.

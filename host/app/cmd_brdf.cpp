@@ -11,7 +11,8 @@ Command add_brdf_command(CLI::App& app) {
     const std::vector<std::pair<std::string, Command>> commands = {
         {"list", add_brdf_list(*verb)}, {"check", add_brdf_check(*verb)},
         {"new", add_brdf_new(*verb)},   {"table", add_brdf_table(*verb)},
-        {"plot", add_brdf_plot(*verb)}, {"trial", add_brdf_trial(*verb)},
+        {"plot", add_brdf_plot(*verb)}, {"doc", add_brdf_doc(*verb)},
+        {"fit", add_brdf_fit(*verb)},   {"trial", add_brdf_trial(*verb)},
     };
     return [verb, commands] {
         for (const auto& [name, command] : commands)

@@ -20,14 +20,17 @@ SolveLeastSquares* solver() {
 
 bool has_least_squares() { return solver() != nullptr; }
 
-LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem) {
-    SolveLeastSquares* const solve = solver();
-    if (!solve)
+void need_least_squares() {
+    if (!solver())
         throw Error(ExitCode::usage,
                     "this build cannot fit: lobe_fit.so cannot be opened: " + fit_module().error(),
                     "", "install libceres-dev, then configure and build lobe again");
+}
+
+LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem) {
+    need_least_squares();
     LeastSquaresSolution solution;
-    solve(problem, solution);
+    solver()(problem, solution);
     return solution;
 }
 

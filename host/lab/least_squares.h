@@ -31,7 +31,10 @@ struct LeastSquaresSolution {
     std::vector<double> covariance;
 };
 
-// Throws Error (usage) if this build has no solver, and whatever `evaluate` throws.
+// Throws Error (usage), with what to install, if this build has no solver.
+void need_least_squares();
+
+// Throws as need_least_squares, and whatever `evaluate` throws.
 LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem);
 
 // Whether the solver can be opened.

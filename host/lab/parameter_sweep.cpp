@@ -14,9 +14,10 @@ namespace {
 using Values = std::vector<double>;
 
 void keep_within(Values& values, const BrdfParameter& p) {
+    const auto lowest = static_cast<float>(p.lowest), highest = static_cast<float>(p.highest);
     for (double& v : values) v = static_cast<float>(v);
     values.erase(std::remove_if(values.begin(), values.end(),
-                                [&](double v) { return !(v >= p.lowest && v <= p.highest); }),
+                                [&](double v) { return !(v >= lowest && v <= highest); }),
                  values.end());
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());

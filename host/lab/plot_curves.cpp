@@ -11,7 +11,8 @@ namespace lobe {
 namespace {
 
 constexpr double panel_width = 340, panel_height = 240, left = 44, right = 16, top = 68,
-                 bottom = 46;
+                 bottom = 46, gap = 28;
+constexpr std::size_t columns = 3;
 
 // The lobes of the probe's first `sets` parameter sets, in degrees and parts of their peaks.
 std::vector<std::vector<glm::dvec2>> lobes_of(const BrdfProbe& probe, std::uint32_t sets) {
@@ -36,22 +37,23 @@ std::vector<std::vector<glm::dvec2>> lobes_of(const BrdfProbe& probe, std::uint3
 
 class LobePlot {
   public:
-    LobePlot(Drawing& drawing, double x, bool log) : drawing_(drawing) {
-        x_ = {0, 90, x, x + panel_width};
-        y_ = log ? Axis{1e-6, 1, top + panel_height, top, true}
-                 : Axis{0, 1, top + panel_height, top, false};
+    // `corner`: of the axes, above left.
+    LobePlot(Drawing& drawing, const glm::dvec2& corner, bool log) : drawing_(drawing) {
+        x_ = {0, 90, corner.x, corner.x + panel_width};
+        y_ = {log ? 1e-5 : 0, 1, corner.y + panel_height, corner.y, log};
     }
 
     void draw(const LobePanel& panel, bool first) {
         axes(first);
-        drawing_.add(Text{{x_.from, top - 44}, panel.title, text_ink, title_size});
-        drawing_.add(Text{{x_.from, top - 28}, panel.subtitle, note_ink, note_size});
+        drawing_.add(Text{{x_.from, y_.to - 44}, panel.title, text_ink, title_size});
+        drawing_.add(Text{{x_.from, y_.to - 28}, panel.subtitle, note_ink, note_size});
         std::vector<Curve> curves;
         for (std::size_t i = 0; i < panel.curves.size(); ++i) {
             Curve curve{{}, series_ink(i, panel.curves.size()), panel.curves[i].label};
-            for (const glm::dvec2& p : panel.curves[i].points)
-                if (p.y >= y_.low && p.x <= x_.high)
-                    curve.points.push_back({x_.at(p.x), y_.at(std::min(p.y, y_.high))});
+            for (const glm::dvec2& p : panel.curves[i].points) {
+                if (p.y < y_.low) break;  // what may rise again is not the lobe
+                curve.points.push_back({x_.at(p.x), y_.at(std::min(p.y, y_.high))});
+            }
             drawing_.add(Polyline{curve.points, curve.ink, 1.6});
             curves.push_back(curve);
         }
@@ -114,13 +116,16 @@ LobePanel lobe_panel(BrdfProbe& probe, const Subject& subject) {
 Drawing draw_lobes(const std::vector<LobePanel>& panels, bool log) {
     Drawing drawing;
     drawing.title = "Lobes over their peaks, at normal incidence";
-    drawing.height = top + panel_height + bottom;
-    double x = left;
+    const std::size_t across = std::min(columns, panels.size());
+    const std::size_t down = (panels.size() + columns - 1) / columns;
+    const double width = panel_width + gap, height = top + panel_height + bottom;
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        LobePlot(drawing, x, log).draw(panels[i], i == 0);
-        x += panel_width + 28;
+        const glm::dvec2 corner(left + width * static_cast<double>(i % columns),
+                                top + height * static_cast<double>(i / columns));
+        LobePlot(drawing, corner, log).draw(panels[i], i % columns == 0);
     }
-    drawing.width = x - 28 + right;
+    drawing.width = left + width * static_cast<double>(across) - gap + right;
+    drawing.height = height * static_cast<double>(down);
     return drawing;
 }
 

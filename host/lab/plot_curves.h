@@ -25,7 +25,7 @@ LobePanel lobe_panel(const Sharpened& model, const std::vector<double>& values);
 // For a model of which no parameter shapes a lobe: as it is.
 LobePanel lobe_panel(BrdfProbe& probe, const Subject& subject);
 
-// Side by side on the same axes; `log`: the lobe on a logarithmic axis of six decades, which shows
+// Side by side on the same axes; `log`: the lobe on a logarithmic axis of five decades, which shows
 // tails.
 Drawing draw_lobes(const std::vector<LobePanel>& panels, bool log);
 

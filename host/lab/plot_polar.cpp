@@ -96,18 +96,30 @@ class PolarPlot {
     Axis axis_;
 };
 
-Axis radial_axis(const std::vector<PolarPanel>& panels, Scale scale) {
-    double highest = 0, typical = 0;
-    for (const PolarPanel& panel : panels) {
-        highest = std::max(highest, panel.top);
-        typical = std::max(typical, panel.typical);
-    }
-    if (!(highest > 0)) return {0, 1, 0, radius, false};
-    const bool log = scale == Scale::log || (scale == Scale::automatic && highest > 25 * typical);
-    if (!log) return {0, highest, 0, radius, false};
-    const double high = std::pow(10.0, std::ceil(std::log10(highest) - 0.05));
-    const double least = std::max(typical, 1e-6 * high);
+Axis radial_axis(const PolarPanel& panel, Scale scale) {
+    if (!(panel.top > 0)) return {0, 1, 0, radius, false};
+    const bool peaked = panel.top > 25 * panel.typical;
+    if (scale == Scale::linear || (scale == Scale::automatic && !peaked))
+        return {0, panel.top, 0, radius, false};
+    const double high = std::pow(10.0, std::ceil(std::log10(panel.top) - 0.05));
+    const double least = std::max(panel.typical, 1e-6 * high);
     return {std::pow(10.0, std::floor(std::log10(least) - 0.5)), high, 0, radius, true};
+}
+
+// Each panel's own, or one for all where they are of a kind and much the same.
+std::vector<Axis> radial_axes(const std::vector<PolarPanel>& panels, Scale scale) {
+    std::vector<Axis> axes;
+    for (const PolarPanel& panel : panels) axes.push_back(radial_axis(panel, scale));
+    Axis all = axes[0];
+    double smallest = all.high;
+    for (const Axis& axis : axes) {
+        if (axis.log != all.log) return axes;
+        all.low = std::min(all.low, axis.low);
+        all.high = std::max(all.high, axis.high);
+        smallest = std::min(smallest, axis.high);
+    }
+    if (all.high <= (all.log ? 100 : 4) * smallest) std::fill(axes.begin(), axes.end(), all);
+    return axes;
 }
 
 }  // namespace
@@ -117,6 +129,7 @@ PolarPanel polar_panel(BrdfProbe& probe, const Subject& subject, const std::vect
     probe.set_parameters({subject.rows}, subject.tables);
     const Plane plane(probe, azimuth);
     PolarPanel panel{subject.model.name, subject.text(), {}, 0, 0};
+    const double last = glm::radians(89.0);  // beyond, values of many a model go to infinity
     std::vector<PlaneView> seen;
     std::vector<double> all;
     for (const double degrees : views) {
@@ -124,7 +137,8 @@ PolarPanel polar_panel(BrdfProbe& probe, const Subject& subject, const std::vect
         panel.curves.push_back({seen.back().view, {}});
         std::vector<PlanePoint> points;
         for (const double angle : Plane::angles(seen.back().view))
-            points.push_back({seen.back(), angle});
+            if (std::abs(angle) <= std::max(last, seen.back().view))
+                points.push_back({seen.back(), angle});
         const std::vector<double> f = plane.luminances(points);
         for (std::size_t i = 0; i < f.size(); ++i)
             panel.curves.back().points.push_back({points[i].light, f[i]});
@@ -141,7 +155,7 @@ PolarPanel polar_panel(BrdfProbe& probe, const Subject& subject, const std::vect
 }
 
 Drawing draw_polar(const std::vector<PolarPanel>& panels, Scale scale) {
-    const Axis axis = radial_axis(panels, scale);
+    const std::vector<Axis> axes = radial_axes(panels, scale);
     const std::size_t across = std::min(columns, panels.size());
     const std::size_t down = (panels.size() + columns - 1) / columns;
     const double width = 2 * radius + gap, height = top + radius + bottom;
@@ -152,7 +166,7 @@ Drawing draw_polar(const std::vector<PolarPanel>& panels, Scale scale) {
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const glm::dvec2 origin(left + radius + static_cast<double>(i % columns) * width,
                                 top + radius + static_cast<double>(i / columns) * height);
-        PolarPlot(drawing, origin, axis).draw(panels[i]);
+        PolarPlot(drawing, origin, axes[i]).draw(panels[i]);
     }
     return drawing;
 }

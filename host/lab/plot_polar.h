@@ -27,7 +27,8 @@ PolarPanel polar_panel(BrdfProbe& probe, const Subject& subject, const std::vect
 
 enum class Scale { automatic, linear, log };
 
-// On the same radial scale; automatic is logarithmic where peaks are far above the rest.
+// On one radial scale where they are much the same, else each on its own; automatic is logarithmic
+// where peaks are far above the rest.
 Drawing draw_polar(const std::vector<PolarPanel>& panels, Scale scale = Scale::automatic);
 
 }  // namespace lobe

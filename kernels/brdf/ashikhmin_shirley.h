@@ -4,7 +4,7 @@
 // vector, phi its azimuth, d(theta) = 1 - (1 - cos theta / 2)^5 and F = rs + (1 - rs) (1 - o.h)^5.
 // Source: M. Ashikhmin, P. Shirley, "An anisotropic Phong BRDF model", JGT 5(2), 2000.
 //
-// Exponents of 0 are a rough lobe, of 1e8 the sharpest that float directions resolve. Reciprocal;
+// Exponents above 1e8, the sharpest that float directions resolve, count as 1e8. Reciprocal;
 // conserves energy: see the claims. Sampling: diffuse part by cosine and lobe by its exact inverse,
 // as it faces the viewer; between them by albedo.
 #ifndef LOBE_BRDF_ASHIKHMIN_SHIRLEY_H
@@ -18,10 +18,12 @@
 #define ashikhmin_shirley_parameters(P) \
     P(color, rd, 0.5, 0, 1, "diffuse reflectance") \
     P(color, rs, 0.05, 0, 1, "specular reflectance at normal incidence") \
-    P(number, n_u, 100, 0, 1e8, "exponent along the first tangent") \
-    P(number, n_v, 100, 0, 1e8, "exponent along the second tangent")
+    P(number, n_u, 100, 0, inf, "exponent along the first tangent: 0 rough") \
+    P(number, n_v, 100, 0, inf, "exponent along the second tangent")
 // clang-format on
 LOBE_BRDF_VALUES(ashikhmin_shirley)
+
+#define ASHIKHMIN_SHIRLEY_SHARPEST R(1e8)
 
 typedef struct {
     real3 kd, rs;
@@ -35,7 +37,8 @@ ashikhmin_shirley_prepared ashikhmin_shirley_prepare(ashikhmin_shirley_values va
     real3 beneath = 1 - values.rs;
     m.kd = R(28.0) / 23 * REAL_INV_PI * values.rd * beneath;
     m.rs = values.rs;
-    m.n = (real2)(values.n_u, values.n_v);
+    m.n = (real2)(smaller(values.n_u, ASHIKHMIN_SHIRLEY_SHARPEST),
+                  smaller(values.n_v, ASHIKHMIN_SHIRLEY_SHARPEST));
     real2 root = sqrt(m.n + 1);
     m.inverse_root = 1 / root;
     m.norm = root.x * root.y;
@@ -54,15 +57,16 @@ int ashikhmin_shirley_claims(ashikhmin_shirley_values values) {
 }
 
 real3 ashikhmin_shirley_formula(ashikhmin_shirley_values values, real3 wo, real3 wi) {
+    real nu = fmin(values.n_u, ASHIKHMIN_SHIRLEY_SHARPEST);
+    real nv = fmin(values.n_v, ASHIKHMIN_SHIRLEY_SHARPEST);
     real3 h = normalize(wo + wi);
     real hk = dot(h, wi), phi = atan2(h.y, h.x);
-    real exponent = values.n_u * square(cos(phi)) + values.n_v * square(sin(phi));
+    real exponent = nu * square(cos(phi)) + nv * square(sin(phi));
     real3 fresnel = values.rs + (1 - values.rs) * pow(1 - hk, R(5.0));
-    real lobe = sqrt((values.n_u + 1) * (values.n_v + 1)) / (8 * REAL_PI) * pow(h.z, exponent) /
-                (hk * fmax(wo.z, wi.z));
-    real diffuse =
-        28 / (23 * REAL_PI) * (1 - pow(1 - wi.z / 2, R(5.0))) * (1 - pow(1 - wo.z / 2, R(5.0)));
-    return fresnel * lobe + values.rd * (1 - values.rs) * diffuse;
+    real lobe =
+        sqrt((nu + 1) * (nv + 1)) / (8 * REAL_PI) * pow(h.z, exponent) / (hk * fmax(wo.z, wi.z));
+    real depth = expm1(5 * log1p(-wo.z / 2)) * expm1(5 * log1p(-wi.z / 2));
+    return fresnel * lobe + 28 / (23 * REAL_PI) * values.rd * (1 - values.rs) * depth;
 }
 
 // 1 - (1 - z / 2)^5 without cancellation.

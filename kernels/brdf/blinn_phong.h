@@ -75,14 +75,16 @@ real3 blinn_phong_formula(blinn_phong_values values, real3 wo, real3 wi) {
     return m.kd + m.ks * pow(normalize(wo + wi).z, values.n);
 }
 
-// What a reflection shares between value and density.
+// What value and density want to know of a half vector.
 typedef struct {
-    LobePoint h;      // cosine of the half vector to the normal,
-    LobePoint twice;  // of twice that angle,
-    real towards;     // and of the half vector to wo
+    LobePoint h;   // its cosine to the normal
+    real towards;  // and to wo
+    real arc;      // share of all azimuths about the normal that reflect above the horizon
 } BlinnPhongHalf;
 
 // From the sum of both directions, scaled first: that of opposite grazing ones may underflow.
+// A half vector at theta_h reflects above the horizon where cos phi > -cot theta_o cot 2 theta_h,
+// phi from wo's azimuth: the visible arc of a circle at 2 theta_h about wo.
 BlinnPhongHalf blinn_phong_half(real3 wo, real3 wi) {
     BlinnPhongHalf half_vector;
     real scale = largest_component(fabs(wo + wi));
@@ -90,12 +92,18 @@ BlinnPhongHalf blinn_phong_half(real3 wo, real3 wi) {
     real across = sum.x * sum.x + sum.y * sum.y, all = fma(sum.z, sum.z, across);
     half_vector.h.t = sum.z / sqrt(all);
     half_vector.h.x = across / (all * (1 + half_vector.h.t));
-    // sum.z^2 - across without its cancellation where one direction is grazing
-    real3 flat = wi.z < wo.z ? (real3)(wo.xy, wi.z) : (real3)(wi.xy, wo.z);
-    real difference = flat.z * sum.z - (flat.x * sum.x + flat.y * sum.y);
-    half_vector.twice.t = 2 * difference / (scale * all);
-    half_vector.twice.x = 2 * across / all;
     half_vector.towards = R(0.5) * scale * sqrt(all);
+    LobePoint twice;
+    twice.x = 2 * across / all;
+    twice.t = fma(sum.z, sum.z, -across) / all;
+    if (half_vector.towards > R(0.5)) {
+        // The same for unit vectors, without cancellation if one lies flat and one upright.
+        real3 flat = wi.z < wo.z ? (real3)(wo.xy, wi.z) : (real3)(wi.xy, wo.z);
+        real difference = flat.z * sum.z - (flat.x * sum.x + flat.y * sum.y);
+        twice.t = 2 * difference / (scale * all);
+    }
+    real side = 2 * (wo.x * sum.y - wo.y * sum.x) * sum.z / all;
+    half_vector.arc = arc_through(wi, twice, wo, side);
     return half_vector;
 }
 
@@ -125,8 +133,7 @@ real blinn_phong_density(const blinn_phong_prepared* m, real2 choice, BlinnPhong
     real density = choice.y * cosine * REAL_INV_PI;
     if (m->mirror || choice.x == 0) return density;
     real lobe = cosine_power_density(m->n + 1, half_vector.h) / blinn_phong_reach(m, wo);
-    // Half vectors at theta_h reflect above the horizon where cos phi > -cot theta_o cot 2 theta_h.
-    lobe /= 4 * visible_arc(half_vector.twice, wo) * larger(half_vector.towards, R(1e-30));
+    lobe /= 4 * half_vector.arc * larger(half_vector.towards, R(1e-30));
     return smaller(fma(choice.x, lobe, density), LOBE_LARGEST_N);
 }
 
@@ -145,11 +152,11 @@ real3 blinn_phong_reflect(const blinn_phong_prepared* m, real3 wo, real2 u,
     LobePoint twice;
     twice.x = 2 * h.x * (2 - h.x);
     twice.t = twice.x < R(0.5) ? 1 - twice.x : fma(2 * h.t, h.t, -1);
-    real2 azimuth = real_circle(visible_arc(twice, wo) * (u.y - R(0.5)));
+    half_vector->arc = visible_arc(twice, wo);
+    real2 azimuth = real_circle(half_vector->arc * (u.y - R(0.5)));
     real sine = sqrt(wo.x * wo.x + wo.y * wo.y), sine_h = sqrt(h.x * (2 - h.x));
     real2 heading = heading_of(wo);
     half_vector->h = h;
-    half_vector->twice = twice;
     half_vector->towards = fma(sine * sine_h, azimuth.x, wo.z * h.t);
     real out = 2 * half_vector->towards * sine_h;
     real along = fma(out, azimuth.x, -sine), across = out * azimuth.y;

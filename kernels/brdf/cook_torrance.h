@@ -22,11 +22,11 @@
 
 // clang-format off
 #define cook_torrance_parameters(P) \
-    P(color, kd, 0.2, 0, 10000, "diffuse part, 1/sr") \
-    P(color, ks, 0.3, 0, 10000, "factor of the facets' reflectance") \
+    P(color, kd, 0.2, 0, inf, "diffuse part, 1/sr") \
+    P(color, ks, 0.3, 0, inf, "factor of the facets' reflectance") \
     P(color, eta, 1.5, 0, 10000, "real part of the index of refraction") \
     P(color, k, 0, 0, 10000, "imaginary part of the index of refraction") \
-    P(number, alpha, 0.3, 0, 10, "Beckmann roughness, the article's m") \
+    P(number, alpha, 0.3, 0, 1, "Beckmann roughness, the article's m") \
     P(choice, denominator, 0, 0, 1, "four|pi: what divides F D G / (cos cos)")
 // clang-format on
 LOBE_BRDF_VALUES(cook_torrance)

@@ -116,14 +116,20 @@ real disney_coat_density(const disney_prepared* m, HalfVector h) {
     return m->coat_norm / fma(m->coat_alpha2, h.cosine * h.cosine, sine_squared);
 }
 
+// 1 to `grazing` as Schlick's weight rises towards z = 0: 1 - (1 - z)^5 is summed up, for it would
+// cancel.
+real disney_towards(real grazing, real z) {
+    real rest = z * fma(z, fma(z, fma(z, fma(z, 1, -5), 10), -10), 5);
+    return fma(grazing, 1 - rest, rest);
+}
+
 // Diffuse part times cos theta_i, over its factor.
 real disney_diffuse(const disney_prepared* m, HalfVector h, real o, real i) {
-    real from = schlick_weight(1 - o), into = schlick_weight(1 - i);
-    real flat90 = square(1 - h.oblique) * m->roughness, retro90 = R(0.5) + 2 * flat90;
-    real retro = fma(retro90 - 1, from, 1) * fma(retro90 - 1, into, 1) * i;
-    real flat = fma(flat90 - 1, from, 1) * fma(flat90 - 1, into, 1);
-    real through = R(1.25) * (flat * (i / (i + o) - R(0.5) * i) + R(0.5) * i);
-    return retro + (through - retro) * m->subsurface;
+    real flat90 = square(R(0.5) * h.length) * m->roughness, retro90 = R(0.5) + 2 * flat90;
+    real retro = disney_towards(retro90, o) * disney_towards(retro90, i) * i;
+    real flat = disney_towards(flat90, o) * disney_towards(flat90, i);
+    real through = R(1.25) * (flat * (i / (i + o)) + R(0.5) * i * (1 - flat));
+    return (1 - m->subsurface) * retro + m->subsurface * through;
 }
 
 // Probabilities of cosine, facets and coat. Half the cosine: facets lie askew.

@@ -17,10 +17,10 @@
 
 // clang-format off
 #define kelemen_parameters(P) \
-    P(color, kd, 0.2, 0, 10000, "diffuse part, 1/sr") \
-    P(color, ks, 0.3, 0, 10000, "factor of the facets' reflectance") \
+    P(color, kd, 0.2, 0, inf, "diffuse part, 1/sr") \
+    P(color, ks, 0.3, 0, inf, "factor of the facets' reflectance") \
     P(color, f0, 0.2, 0, 1, "reflectance of a facet at normal incidence") \
-    P(number, alpha, 0.3, 0, 10, "Beckmann roughness, the article's m")
+    P(number, alpha, 0.3, 0, 1, "Beckmann roughness, the article's m")
 // clang-format on
 LOBE_BRDF_VALUES(kelemen)
 

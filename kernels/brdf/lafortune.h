@@ -157,11 +157,13 @@ int lafortune_aims(const lafortune_prepared* m, real3 wo, LafortuneAim* aims, re
     return 1;
 }
 
-// Density of a lobe's samples at p, the angle to its axis.
-real lafortune_density(const LafortuneLobe* l, const LafortuneAim* aim, LobePoint p) {
+// Density of a lobe's samples at wi, p the angle to its axis.
+real lafortune_density(const LafortuneLobe* l, const LafortuneAim* aim, LobePoint p, real3 wi) {
     if (!(p.t > 0)) return 0;
     real power = fma(l->n, real_log_split(p.t, p.x) - aim->log_top, -aim->log_top);
-    real density = (l->n + 1) * REAL_INV_TWO_PI * real_exp(power) / visible_arc(p, aim->axis);
+    real density = (l->n + 1) * REAL_INV_TWO_PI * real_exp(power);
+    real side = aim->axis.x * wi.y - aim->axis.y * wi.x;
+    density /= arc_through(wi, p, aim->axis, side);
     return smaller(aim->share * density, LOBE_LARGEST_N);
 }
 
@@ -182,7 +184,7 @@ real lafortune_pdf(const lafortune_prepared* m, real3 wo, real3 wi) {
     for (int i = 0; i < LAFORTUNE_LOBES; ++i)
         if (aims[i].share > 0)
             pdf += lafortune_density(&m->lobe[i], &aims[i],
-                                     lobe_point(reflect_local(aims[i].axis), wi));
+                                     lobe_point(reflect_local(aims[i].axis), wi), wi);
     return pdf;
 }
 
@@ -222,7 +224,7 @@ BrdfSample lafortune_sample(const lafortune_prepared* m, real3 wo, real3 u) {
         LafortuneLobe l = m->lobe[i];
         LobePoint p = i == pick ? drawn : lobe_point(reflect_local(aims[i].axis), sample.wi);
         if (p.t > 0) f += l.ks * real_exp(l.n * (aims[i].log_length + real_log_split(p.t, p.x)));
-        sample.pdf += lafortune_density(&l, &aims[i], p);
+        sample.pdf += lafortune_density(&l, &aims[i], p, sample.wi);
     }
     if (!(sample.pdf > 0)) return brdf_no_sample();
     sample.weight = f * (sample.wi.z / sample.pdf);

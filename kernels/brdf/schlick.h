@@ -73,7 +73,7 @@ real3 schlick_formula(schlick_values values, real3 wo, real3 wi) {
     schlick_prepared m = schlick_prepare(values);
     real3 h = normalize(wo + wi);
     real t = h.z, u = dot(wi, h), v = wo.z, v2 = wi.z;
-    real w = t < 1 ? h.x / sqrt(h.x * h.x + h.y * h.y) : sqrt(R(0.5));
+    real w = h.x != 0 || h.y != 0 ? h.x / hypot(h.x, h.y) : sqrt(R(0.5));
     real zenith = m.r / square(1 + m.r * t * t - t * t);
     real azimuth = sqrt(m.p / (m.p * m.p - m.p * m.p * w * w + w * w));
     real shadow = v / (m.r - m.r * v + v) * v2 / (m.r - m.r * v2 + v2);
@@ -151,7 +151,8 @@ BrdfSample schlick_sample(const schlick_prepared* m, real3 wo, real3 u) {
         sample.wi =
             m->shadowed == SCHLICK_DIVIDED ? uniform_cone(u.xy, 1) : cosine_hemisphere(u.xy);
     } else {
-        return delta_sample(wo, schlick_fresnel(m->reflectance, 1 - wo.z) * m->mirror, choice.z);
+        return delta_sample(wo, schlick_fresnel(m->reflectance, larger(1 - wo.z, 0)) * m->mirror,
+                            choice.z);
     }
     if (!(sample.wi.z > 0)) return brdf_no_sample();
     sample.pdf = schlick_pdf(m, wo, sample.wi);

@@ -31,19 +31,19 @@ LOBE_BRDF_VALUES(strauss)
 #define STRAUSS_J R(0.1)   // how far rj rises beyond s^3 for the dullest surface
 
 typedef struct {
-    real3 color, kd;
-    real n, normal, metalness;  // exponent, the reflectance s^3, m
-    real2 choice;               // probabilities of lobe and cosine
+    real3 kd, metal;  // diffuse part; m (1 - C), what a metal's lobe lacks to white
+    real n, normal;   // exponent; the reflectance s^3
+    real2 choice;     // probabilities of lobe and cosine
 } strauss_prepared;
 
 strauss_prepared strauss_prepare(strauss_values values) {
     strauss_prepared m;
     real s = values.smoothness;
-    m.color = values.color;
     m.normal = s * s * s;
-    m.metalness = values.metalness;
+    m.metal = values.metalness * (1 - values.color);
     m.n = 3 / larger(1 - s, R(1e-8));
-    m.kd = (1 - values.metalness * s) * (1 - m.normal) * REAL_INV_PI * values.color;
+    real dull = (1 - s) * (1 + s + s * s);  // 1 - s^3
+    m.kd = ((1 - values.metalness) * s + (1 - s)) * dull * REAL_INV_PI * values.color;
     real lobe = 2 / (m.n + 1) * smaller(m.normal + STRAUSS_J, 1);
     m.choice = lobe_choice(lobe, REAL_PI * mean_component(m.kd));
     return m;
@@ -53,21 +53,26 @@ strauss_prepared strauss_prepare(strauss_values values) {
 // still gives back 1.06 of a beam at 89.99 degrees besides the diffuse part.
 int strauss_claims(strauss_values values) { return LOBE_BRDF_KEEPS_SAMPLES; }
 
-real strauss_pole(real x, real k) { return 1 / square(x - k); }
+real strauss_pole(real distance) { return 1 / square(distance); }
+
+// G of an angle, given what it lacks to a right one.
+real strauss_formula_shadow(real3 w) {
+    real lacks = atan2(w.z, length(w.xy)) / (REAL_PI / 2), k = STRAUSS_G;
+    return (strauss_pole(k - 1) - strauss_pole(k - 1 + lacks)) /
+           (strauss_pole(k - 1) - strauss_pole(k));
+}
 
 real3 strauss_formula(strauss_values values, real3 wo, real3 wi) {
     real s = values.smoothness, m = values.metalness, h = 3 / fmax(1 - s, R(1e-8));
-    real alpha = acos(wi.z) / (REAL_PI / 2), beta = acos(wo.z) / (REAL_PI / 2);
-    real kf = STRAUSS_F, kg = STRAUSS_G;
-    real f = (strauss_pole(alpha, kf) - 1 / square(kf)) / (strauss_pole(1, kf) - 1 / square(kf));
-    real g_range = strauss_pole(1, kg) - 1 / square(kg);
-    real g = (strauss_pole(1, kg) - strauss_pole(alpha, kg)) / g_range *
-             ((strauss_pole(1, kg) - strauss_pole(beta, kg)) / g_range);
+    real alpha = atan2(length(wi.xy), wi.z) / (REAL_PI / 2), k = STRAUSS_F;
+    real f = (strauss_pole(k - alpha) - strauss_pole(k)) / (strauss_pole(k - 1) - strauss_pole(k));
+    real g = strauss_formula_shadow(wi) * strauss_formula_shadow(wo);
     real rd = 1 - s * s * s, rn = 1 - rd;
     real rj = fmin(R(1.0), rn + (rn + STRAUSS_J) * f * g);
     real c = fmax(dot((real3)(-wo.x, -wo.y, wo.z), wi), R(0.0));
     real3 qd = wi.z * (1 - m * s) * rd * values.color;
-    real3 qs = pow(c, h) * rj * (1 + m * (1 - f) * (values.color - 1));
+    real3 dye = m * (1 - values.color);  // 1 + m (1 - f) (C - 1), where that does not cancel
+    real3 qs = pow(c, h) * rj * (1 - dye + dye * f);
     return (qd + qs) / (REAL_PI * wi.z);
 }
 
@@ -93,7 +98,7 @@ real3 strauss_value(const strauss_prepared* m, LobePoint p, real3 wo, real3 wi) 
     real fresnel = strauss_fresnel(light);
     real both = fresnel * strauss_shadow(light) * strauss_shadow(strauss_angles(wo));
     real rj = smaller(fma(m->normal + STRAUSS_J, both, m->normal), 1);
-    real3 tint = 1 + m->metalness * larger(1 - fresnel, 0) * (m->color - 1);
+    real3 tint = (1 - m->metal) + m->metal * fresnel;
     return m->kd * wi.z + tint * (rj * REAL_INV_PI * cosine_power(m->n, p));
 }
 

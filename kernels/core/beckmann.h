@@ -9,13 +9,19 @@
 // The smallest alpha that float directions can resolve: below, models take it for this.
 #define BECKMANN_SMOOTHEST R(1e-3)
 
+// exp(-(x^2/ax^2 + y^2/ay^2) / (2 z^2)), the root of D's exponential: that itself underflows where
+// its product with a large number does not.
+real beckmann_root(HalfVector h, real2 alpha) {
+    real x = h.slope.x / alpha.x, y = h.slope.y / alpha.y;
+    return real_exp(R(-0.5) * (x * x + y * y));
+}
+
 // D(h): exp(-(x^2/ax^2 + y^2/ay^2) / z^2) / (pi ax ay z^4), so that D h.z integrates to 1.
 real beckmann_density(HalfVector h, real2 alpha) {
-    real x = h.slope.x / alpha.x, y = h.slope.y / alpha.y;
-    real e = real_exp(-(x * x + y * y));
-    if (!(e > 0)) return 0;  // the slope may be infinite
+    real root = beckmann_root(h, alpha);
+    if (!(root > 0)) return 0;  // the slope may be infinite
     real stretch = 1 + (h.slope.x * h.slope.x + h.slope.y * h.slope.y);  // 1 / h.z^2
-    return e * stretch * stretch * REAL_INV_PI / (alpha.x * alpha.y);
+    return square(root * stretch) * REAL_INV_PI / (alpha.x * alpha.y);
 }
 
 // A normal, not of unit length, of density D(h) h.z.

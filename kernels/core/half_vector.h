@@ -14,7 +14,7 @@
 #include "core/vec.h"
 
 // Densities grow as 1 / cosine towards grazing directions and would overflow below this.
-#define HALF_VECTOR_TINY R(1e-24)
+#define HALF_VECTOR_TINY R(1e-18)
 
 typedef struct {
     real2 slope;   // h.xy / h.z
@@ -23,14 +23,17 @@ typedef struct {
     real oblique;  // 1 - that cosine
 } HalfVector;
 
-// Of unit directions above the horizon. Nothing cancels, and no component is divided by a length
-// whose square may underflow.
+// Of unit directions above the horizon. Nothing cancels; and the sum is measured in its largest
+// component, as the squares of an almost opposite, grazing pair's underflow.
 HalfVector half_vector(real3 wo, real3 wi) {
     real3 sum = wo + wi, difference = wo - wi;
+    real most = larger(larger(fabs(sum.x), fabs(sum.y)), sum.z);
+    real3 scaled = sum / most;
+    real scaled_length = sqrt(dot(scaled, scaled));
     HalfVector h;
     h.slope = sum.xy / sum.z;
-    h.length = larger(sqrt(dot(sum, sum)), sum.z);
-    h.cosine = sum.z / h.length;
+    h.cosine = scaled.z / scaled_length;
+    h.length = most * scaled_length;
     h.oblique = dot(difference, difference) / (4 + 2 * h.length);
     return h;
 }

@@ -29,14 +29,14 @@ kernel void naive_vectors(global const real* n, global const real* normal, globa
     world.x = R(0.5) * dot(mirror - light, mirror - light);
     world.t = world.x < R(0.5) ? 1 - world.x : c;
     Frame3 frame = make_frame3(up);
-    LobePoint local = lobe_point(to_local(&frame, view), to_local(&frame, light));
+    LobePoint framed = lobe_point(to_local(&frame, view), to_local(&frame, light));
     out[7 * i] = c / (n[i] - (n[i] - 1) * c);
     out[7 * i + 1] = clamped / (clamped + n[i] * (1 - clamped));
     out[7 * i + 2] = rational_lobe(n[i], world);
-    out[7 * i + 3] = rational_lobe(n[i], local);
+    out[7 * i + 3] = rational_lobe(n[i], framed);
     out[7 * i + 4] = pow(c, n[i]);
     out[7 * i + 5] = pow(clamped, n[i]);
-    out[7 * i + 6] = cosine_power(n[i], local);
+    out[7 * i + 6] = cosine_power(n[i], framed);
 }
 
 // out: ln n / (n - 1), J, K

@@ -235,7 +235,7 @@ TEST_F(UserModel, AHangIsFoundInTheTrial) {
 
 // What a kernel prints does not come between.
 TEST_F(UserModel, MayPrint) {
-    mutate(sample_begin, "    printf(\"passed\");\n" + std::string(sample_begin));
+    mutate(sample_begin, "    printf(\"passed x\\n\");\n" + std::string(sample_begin));
     const RunResult result = render_with("velvet.cl");
     EXPECT_EQ(result.code, 0) << result.err.substr(0, 1000);
 }

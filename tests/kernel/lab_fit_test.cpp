@@ -108,7 +108,7 @@ TEST(LabFit, FindsTheTruthWithoutNoise) {
                 truth.subject.rows[0] = {0.2f, 0.1f, 0.05f, 0};
                 FitOptions options;
                 options.weight = weight;
-                FitPoints points = grid_points({24, 8, 12}, options);
+                FitPoints points = grid_points({16, 6, 6}, options);
                 fill(points, truth);
                 Subject subject = truth.subject;
                 subject.rows = subject.model.default_rows();
@@ -138,7 +138,7 @@ TEST(LabFit, FindsTheTruthWithinItsErrors) {
             Fitted truth(model, values);
             FitOptions options;
             options.weight = weight;
-            FitPoints points = grid_points({24, 12, 12}, options);
+            FitPoints points = grid_points({16, 8, 8}, options);
             fill(points, truth);
             disturb(points, weight, weight == FitWeight::cosine ? 0.02 : 0.05, z.size() + 9);
             Subject subject = truth.subject;
@@ -156,14 +156,14 @@ TEST(LabFit, FindsTheTruthWithinItsErrors) {
 // Over many noises, 95 % intervals hold the truth as often as they say, and lean to neither side.
 TEST(LabFit, ErrorsCoverAsTheySay) {
     LOBE_NEEDS_FIT();
-    constexpr int noises = 60;
+    constexpr int noises = 50;
     constexpr double tests = 2 * 7 * 2;
     Fitted truth("rational", {{"kd", 0.1}, {"ks", 0.5}, {"n", 20}});
     Subject subject = truth.subject;
     subject.rows = subject.model.default_rows();
     FitOptions options;
     options.starts = 3;
-    FitPoints exact = grid_points({10, 6, 8}, options);
+    FitPoints exact = grid_points({10, 5, 6}, options);
     fill(exact, truth);
     for (const FitWeight weight : {FitWeight::cosine, FitWeight::logarithm}) {
         options.weight = weight;

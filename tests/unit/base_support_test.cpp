@@ -6,6 +6,7 @@
 #include "support/oracle.h"
 #include "base/random.h"
 
+using namespace lobe;
 using namespace lobe::test;
 
 namespace {

@@ -8,7 +8,6 @@
 #include "base/random.h"
 
 using namespace lobe;
-using namespace lobe::test;
 
 namespace {
 

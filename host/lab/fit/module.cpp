@@ -48,9 +48,17 @@ class Cost : public ceres::CostFunction {
     std::size_t unknowns_;
 };
 
-bool at_bound(const LeastSquaresProblem& problem, std::size_t i, double x) {
-    const double near = 1e-9 * (1 + std::abs(x));
-    return x - problem.lowest[i] <= near || problem.highest[i] - x <= near;
+// Holds the unknowns at their bounds; whether there are any.
+bool hold_at_bounds(const LeastSquaresProblem& problem, ceres::Problem& ceres_problem,
+                    std::vector<double>& x) {
+    bool any = false;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double near = 1e-9 * (1 + std::abs(x[i]));
+        if (x[i] - problem.lowest[i] > near && problem.highest[i] - x[i] > near) continue;
+        ceres_problem.SetParameterBlockConstant(&x[i]);
+        any = true;
+    }
+    return any;
 }
 
 // Unknowns whose change changes nothing.
@@ -73,8 +81,7 @@ void find_covariance(const LeastSquaresProblem& problem, ceres::Problem& ceres_p
     const std::vector<char> none = without_effect(problem, solution.x);
     std::vector<const double*> blocks;
     for (std::size_t i = 0; i < count; ++i) {
-        if (none[i] || at_bound(problem, i, solution.x[i]))
-            ceres_problem.SetParameterBlockConstant(&solution.x[i]);
+        if (none[i]) ceres_problem.SetParameterBlockConstant(&solution.x[i]);
         blocks.push_back(&solution.x[i]);
     }
     ceres::Covariance::Options options;
@@ -84,6 +91,10 @@ void find_covariance(const LeastSquaresProblem& problem, ceres::Problem& ceres_p
     solution.covariance.resize(count * count);
     if (!covariance.GetCovarianceMatrix(blocks, solution.covariance.data()))
         solution.covariance.clear();
+}
+
+int steps(const ceres::Solver::Summary& summary) {
+    return summary.num_successful_steps + summary.num_unsuccessful_steps;
 }
 
 }  // namespace
@@ -111,10 +122,16 @@ extern "C" void lobe_solve_least_squares(const LeastSquaresProblem& problem,
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &ceres_problem, &summary);
+    solution.iterations = steps(summary);
+    // Along a bound Ceres' steps are short; with what lies there held, they are not.
+    if (!fault && summary.IsSolutionUsable() &&
+        hold_at_bounds(problem, ceres_problem, solution.x)) {
+        ceres::Solve(options, &ceres_problem, &summary);
+        solution.iterations += steps(summary);
+    }
     if (fault) std::rethrow_exception(fault);
-    solution.iterations = summary.num_successful_steps + summary.num_unsuccessful_steps;
-    solution.converged = summary.termination_type == ceres::CONVERGENCE;
     if (!summary.IsSolutionUsable()) return;
+    solution.converged = summary.termination_type == ceres::CONVERGENCE;
     solution.sum_of_squares = 2 * summary.final_cost;
     if (problem.with_covariance) find_covariance(problem, ceres_problem, solution);
     if (fault) std::rethrow_exception(fault);
