@@ -75,7 +75,7 @@ std::string error_text(const std::vector<double>& errors) {
 void print_model(const Fitted& fitted) {
     std::string name = fitted.subject->model.name;
     for (const FittedParameter& p : fitted.fit.parameters) {
-        std::printf("%-16s  %-10s %-26s +- %s\n", name.c_str(), p.name.c_str(),
+        std::printf("%-16s  %-15s %-24s +- %s\n", name.c_str(), p.name.c_str(),
                     numbers_text(p.value).c_str(), error_text(p.standard_error).c_str());
         name.clear();
     }

@@ -15,6 +15,7 @@ namespace lobe {
 CheckEffort CheckEffort::reduced() {
     CheckEffort effort;
     effort.sets = 2;
+    effort.edges = 0;
     effort.extreme_sets = 4;
     effort.angles = {60};
     effort.directions = 4;
@@ -22,6 +23,7 @@ CheckEffort CheckEffort::reduced() {
     effort.pilot = 64;
     effort.lookout = 8;
     effort.cells = 8;
+    effort.nodes = 2500;
     effort.resolution = 2e-2;
     effort.furnace_sets = 1;
     effort.furnace_pixels = 4;
@@ -101,6 +103,48 @@ glm::dvec3 view_at(double degrees, double azimuth) {
     return rounded({r * std::cos(azimuth), r * std::sin(azimuth), std::sin(elevation)});
 }
 
+namespace {
+
+ParameterSet scaled_colours(const BrdfTable& model, ParameterSet set, double scale) {
+    for (std::size_t i = 0; i < set.rows.size(); ++i)
+        if (model.parameters[i].kind == BrdfParameterKind::color)
+            for (int k = 0; k < 3; ++k) set.rows[i][k] *= static_cast<float>(scale);
+    return set;
+}
+
+// Sets whose colours are scaled to where the model's claim to conserve energy just holds: a bound
+// that is a little too generous shows there or nowhere. None where no scale ends the claim.
+std::vector<ParameterSet> edges_of_energy(BrdfProbe& probe, const std::vector<ParameterSet>& sets,
+                                          const std::vector<float>& tables) {
+    std::vector<double> holds(sets.size(), 0), fails(sets.size(), 64);
+    for (int step = 0; step < 30; ++step) {
+        std::vector<BrdfRows> rows;
+        for (std::size_t i = 0; i < sets.size(); ++i)
+            rows.push_back(
+                scaled_colours(probe.model(), sets[i], 0.5 * (holds[i] + fails[i])).rows);
+        probe.set_parameters(rows, tables);
+        for (std::size_t i = 0; i < sets.size(); ++i)
+            (probe.claims()[i].conserves_energy ? holds : fails)[i] = 0.5 * (holds[i] + fails[i]);
+    }
+    std::vector<ParameterSet> edges;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        if (holds[i] == 0 || fails[i] == 64) continue;
+        edges.push_back(scaled_colours(probe.model(), sets[i], holds[i]));
+        edges.back().text += ", colours times " + short_number(holds[i]);
+    }
+    return edges;
+}
+
+// Some of the sets, evenly chosen.
+std::vector<ParameterSet> some_of(const std::vector<ParameterSet>& sets, std::size_t most) {
+    std::vector<ParameterSet> some;
+    const std::size_t count = std::min(most, sets.size());
+    for (std::size_t k = 0; k < count; ++k) some.push_back(sets[k * sets.size() / count]);
+    return some;
+}
+
+}  // namespace
+
 CheckContext make_check_context(const Device& device, const KernelText& kernels,
                                 const std::vector<BrdfTable>& models, const BrdfTable& model,
                                 const CheckOptions& options) {
@@ -111,6 +155,9 @@ CheckContext make_check_context(const Device& device, const KernelText& kernels,
     for (const BrdfParameter& p : model.parameters)
         if (p.kind == BrdfParameterKind::table) context.tables = made_up_table();
     context.sets = parameter_sweep(model, options.effort.sets);
+    const std::vector<ParameterSet> some = some_of(context.sets, options.effort.edges);
+    for (ParameterSet& edge : edges_of_energy(context.probe, some, context.tables))
+        context.sets.push_back(std::move(edge));
     std::vector<BrdfRows> rows;
     for (const ParameterSet& set : context.sets) rows.push_back(set.rows);
     context.probe.set_parameters(rows, context.tables);

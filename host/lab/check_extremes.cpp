@@ -14,7 +14,11 @@ bool sound(const glm::dvec3& v) { return sound(v.x) && sound(v.y) && sound(v.z);
 bool negative(const glm::dvec3& v) { return v.x < 0 || v.y < 0 || v.z < 0; }
 
 std::vector<glm::dvec3> views() {
-    return {{0, 0, 1}, view_at(45), view_at(89.99), rounded({std::cos(0.7), std::sin(0.7), 1e-30})};
+    return {{0, 0, 1},
+            rounded({1e-20, 0, 1}),
+            view_at(45),
+            view_at(89.99),
+            rounded({std::cos(0.7), std::sin(0.7), 1e-30})};
 }
 
 std::vector<glm::dvec3> lights(const glm::dvec3& wo) {

@@ -60,6 +60,7 @@ double reckoned_albedo(const CheckContext& context, std::uint32_t set, const glm
     jobs[0].pilot = cells.pilot();
     CubatureOptions cubature;
     cubature.relative = 0.04 * effort.resolution;
+    cubature.nodes_a_job = effort.nodes;
     const auto values_at = [&](const HemisphereNodes& nodes) {
         BrdfQuery query;
         for (const glm::dvec3& wi : nodes.directions) query.add(set, wo, wi);

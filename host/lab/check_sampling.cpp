@@ -192,6 +192,7 @@ class SamplingChecks {
         const std::vector<HemisphereCells> cells = make_cells(first, last);
         CubatureOptions cubature;
         cubature.relative = 0.04 * effort().resolution;
+        cubature.nodes_a_job = effort().nodes;
         std::vector<HemisphereJob> jobs = jobs_for(first, last, cells);
         integrate(
             jobs, [&](const HemisphereNodes& n) { return seen_from_viewer(n); }, cubature);

@@ -95,6 +95,13 @@ std::string range_of(const BrdfParameter& p) {
            (std::isinf(p.highest) ? "inf" : short_number(p.highest));
 }
 
+// A choice's meaning begins with its names, which stand in a column of their own.
+std::string meaning_of(const BrdfParameter& p) {
+    const auto colon = p.meaning.find(": ");
+    const bool named = p.kind == BrdfParameterKind::choice && colon != std::string::npos;
+    return markdown(named ? p.meaning.substr(colon + 2) : p.meaning);
+}
+
 std::string parameter_table(const BrdfTable& model) {
     std::string out =
         "## Parameters\n\n| name | kind | default | range | meaning |\n|---|---|---|---|---|\n";
@@ -103,7 +110,7 @@ std::string parameter_table(const BrdfTable& model) {
         const BrdfParameter& p = model.parameters[i];
         out += "| `" + p.name + "` | " + kind_name(p.kind) + " | " +
                (p.kind == BrdfParameterKind::table ? "" : value_text(p, rows[i])) + " | " +
-               range_of(p) + " | " + markdown(p.meaning) + " |\n";
+               range_of(p) + " | " + meaning_of(p) + " |\n";
     }
     return out + "\n";
 }
@@ -112,9 +119,9 @@ std::string claims_text(const BrdfClaims& claims) {
     const auto said = [](bool made, const char* what) {
         return std::string(made ? "is claimed to " : "is not claimed to ") + what;
     };
-    return "With these parameters the model " + said(claims.reciprocal, "be reciprocal") + ", " +
-           said(claims.conserves_energy, "conserve energy") + ", and " +
-           said(claims.keeps_samples, "keep all samples above the horizon") + ".\n\n";
+    return "The model " + said(claims.reciprocal, "be reciprocal") + ", " +
+           said(claims.conserves_energy, "conserve energy") + " and " +
+           said(claims.keeps_samples, "lose no sample") + " there.\n\n";
 }
 
 std::string digits(double value) {
@@ -126,7 +133,7 @@ std::string digits(double value) {
 std::string measured(const ModelPage& page) {
     const ModelTable& table = page.table;
     std::string out = "## Measured\n\nWith " + markdown(table.subject.text()) + ", on " +
-                      markdown(page.device) + ".\n";
+                      markdown(page.device) + ".\n\n";
     out += claims_text(table.claims);
     out +=
         "| view | albedo | peak of f | at | half-width | least f |\n|---|---|---|---|---|---|\n"
@@ -139,8 +146,10 @@ std::string measured(const ModelPage& page) {
                (width ? digits(glm::degrees(*width)) : "") + " | " + digits(lobe.base) + " |\n";
     }
     return out +
-           "\nThe peak is that in the plane of incidence, up to 89 deg from the normal; the "
-           "half-width is the angle from it at which f has fallen halfway to its least value.\n\n";
+           "\nPeak and least value are those in the plane of incidence, the peak at most 89 deg "
+           "from the\nnormal; the half-width is the angle from the peak at which f has fallen "
+           "halfway to "
+           "the least.\n\n";
 }
 
 std::string check_table(const ModelPage& page) {

@@ -38,7 +38,7 @@ std::vector<PlanePoint> inside(const std::vector<PlaneView>& views,
 
 // Sorted, above the horizon, each once.
 void tidy(std::vector<double>& angles) {
-    for (double& a : angles) a = clamped(a);
+    for (double& a : angles) a = clamped(a) + 0.0;  // no -0
     std::sort(angles.begin(), angles.end());
     angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
 }

@@ -46,7 +46,10 @@ class LobePlot {
     void draw(const LobePanel& panel, bool first) {
         axes(first);
         drawing_.add(Text{{x_.from, y_.to - 44}, panel.title, text_ink, title_size});
-        drawing_.add(Text{{x_.from, y_.to - 28}, panel.subtitle, note_ink, note_size});
+        drawing_.add(Text{{x_.from, y_.to - 28},
+                          fitted(panel.subtitle, note_size, panel_width),
+                          note_ink,
+                          note_size});
         std::vector<Curve> curves;
         for (std::size_t i = 0; i < panel.curves.size(); ++i) {
             Curve curve{{}, series_ink(i, panel.curves.size()), panel.curves[i].label};
@@ -96,15 +99,15 @@ class LobePlot {
 }  // namespace
 
 LobePanel lobe_panel(const Sharpened& model, const std::vector<double>& values) {
-    LobePanel panel{model.subject.model.name, model.subject.text(), {}};
+    const std::string& name = model.row().name;
+    LobePanel panel{model.subject.model.name, "by " + name + "; " + model.subject.text(), {}};
     std::vector<BrdfRows> sets(values.size(), model.subject.rows);
     for (std::size_t i = 0; i < values.size(); ++i)
         sets[i][model.parameter] = {static_cast<float>(values[i]), 0, 0, 0};
     model.probe.set_parameters(sets, model.subject.tables);
     const auto lobes = lobes_of(model.probe, static_cast<std::uint32_t>(sets.size()));
     for (std::size_t i = 0; i < values.size(); ++i)
-        panel.curves.push_back(
-            {(i == 0 ? model.row().name + " = " : "") + plot_number(values[i]), lobes[i]});
+        panel.curves.push_back({plot_number(values[i]), lobes[i]});
     return panel;
 }
 

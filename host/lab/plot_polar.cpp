@@ -25,7 +25,7 @@ class PolarPlot {
                           text_ink,
                           title_size});
         drawing_.add(Text{{origin_.x - radius, origin_.y - radius - top + 48},
-                          panel.subtitle,
+                          fitted(panel.subtitle, note_size, 2 * radius),
                           note_ink,
                           note_size});
         grid();

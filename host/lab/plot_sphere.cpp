@@ -34,7 +34,8 @@ ImageFile sphere_sheet(const std::vector<SphereTile>& tiles, ImageIo& images) {
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         const glm::dvec2 below = corner(i) + glm::dvec2(0, height);
         drawing.add(Text{below + glm::dvec2(0, 17), tiles[i].title, text_ink, title_size});
-        drawing.add(Text{below + glm::dvec2(0, 31), tiles[i].subtitle, note_ink, note_size});
+        drawing.add(Text{below + glm::dvec2(0, 31), fitted(tiles[i].subtitle, note_size, width),
+                         note_ink, note_size});
     }
     ImageFile sheet = rasterise(drawing, images, 1);
     for (std::size_t i = 0; i < tiles.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace lobe {
 namespace {
@@ -97,39 +98,71 @@ double round_up(double value) {
     return 10 * power;
 }
 
+std::string fitted(const std::string& text, double size, double width) {
+    if (text_width(text, size) <= width) return text;
+    std::string cut = text;
+    while (!cut.empty() && text_width(cut + "...", size) > width) cut.pop_back();
+    return cut + "...";
+}
+
+namespace {
+
+// The places for a label at a point of its curve: beside, above and below it, and what is less
+// liked about them.
+struct Place {
+    Box box;
+    double cost;
+};
+
+std::vector<Place> places_at(const glm::dvec2& p, double width, double height) {
+    const glm::dvec2 half(width / 2 + 2, height / 2 + 2);
+    const double x = half.x + 4, y = half.y + 4;
+    std::vector<Place> places;
+    for (const auto& [off, cost] :
+         {std::pair(glm::dvec2(x, 0), 0.0), {{-x, 0}, 1.5}, {{0, -y}, 3.0}, {{0, y}, 3.0}})
+        places.push_back({{p + off - half, p + off + half}, cost});
+    return places;
+}
+
+// How much of other curves and labels a place covers or comes near.
+double cost_of(const Box& box, std::size_t own, const std::vector<std::vector<glm::dvec2>>& inked,
+               const std::vector<Box>& taken) {
+    const Box wide{box.low - 8.0, box.high + 8.0};  // where others mislead
+    double cost = 0;
+    for (std::size_t i = 0; i < inked.size(); ++i)
+        for (const glm::dvec2& q : inked[i])
+            cost += box.holds(q) ? 4 : i != own && wide.holds(q) ? 0.4 : 0;
+    for (const Box& other : taken) cost += box.meets(other) ? 1000 : 0;
+    return cost;
+}
+
+}  // namespace
+
 void add_labels(Drawing& drawing, const std::vector<Curve>& curves, const glm::dvec2& low,
                 const glm::dvec2& high) {
     std::vector<std::vector<glm::dvec2>> inked;
     for (const Curve& curve : curves) inked.push_back(stepped(curve.points, 1));
     std::vector<Box> taken;
     const Box bounds{low, high};
-    const glm::dvec2 middle = 0.5 * (low + high);
-    for (const Curve& curve : curves) {
-        if (curve.label.empty()) continue;
-        const double width = text_width(curve.label, text_size), ascent = 0.75 * text_size;
-        double least = 1e300;
-        Text best{};
-        Box best_box{};
-        for (const glm::dvec2& p : stepped(curve.points, 3))
-            for (const double side : {1.0, -1.0}) {
-                const double left = side > 0 ? p.x + 6 : p.x - 6 - width;
-                const Box box{{left - 2, p.y - ascent / 2 - 2},
-                              {left + width + 2, p.y + ascent / 2 + 2}};
-                const Box wide{box.low - 8.0, box.high + 8.0};  // where others mislead
-                if (!bounds.holds(box.low) || !bounds.holds(box.high)) continue;
-                double cost = 0.01 * std::abs(p.y - middle.y) + (side < 0 ? 1.5 : 0);
-                for (std::size_t i = 0; i < curves.size(); ++i)
-                    for (const glm::dvec2& q : inked[i])
-                        cost += box.holds(q) ? 4 : &curves[i] != &curve && wide.holds(q) ? 0.4 : 0;
-                for (const Box& other : taken) cost += box.meets(other) ? 1000 : 0;
-                if (cost >= least) continue;
-                least = cost;
-                best_box = box;
-                best = {{left, p.y + ascent / 2}, curve.label, curve.ink, text_size, Anchor::start};
+    const double middle = 0.5 * (low.y + high.y), height = 0.75 * text_size;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        if (curves[i].label.empty()) continue;
+        const double width = text_width(curves[i].label, text_size);
+        Place best{{}, std::numeric_limits<double>::infinity()};
+        for (const glm::dvec2& p : stepped(curves[i].points, 3))
+            for (Place place : places_at(p, width, height)) {
+                if (!bounds.holds(place.box.low) || !bounds.holds(place.box.high)) continue;
+                place.cost += 0.01 * std::abs(p.y - middle) + cost_of(place.box, i, inked, taken);
+                if (place.cost < best.cost) best = place;
             }
-        if (least == 1e300) continue;
-        taken.push_back(best_box);
-        drawing.add(best);
+        if (std::isinf(best.cost)) continue;
+        taken.push_back(best.box);
+        const glm::dvec2 centre = 0.5 * (best.box.low + best.box.high);
+        drawing.add(Text{{centre.x, centre.y + height / 2},
+                         curves[i].label,
+                         curves[i].ink,
+                         text_size,
+                         Anchor::middle});
     }
 }
 

@@ -21,6 +21,9 @@ Ink series_ink(std::size_t i, std::size_t count);
 // A number as plots write it: 0.5, 100, 10⁶.
 std::string plot_number(double value);
 
+// The text cut to a width, with dots where something is lost.
+std::string fitted(const std::string& text, double size, double width);
+
 // A scale from values to positions; `log` wants a positive range.
 struct Axis {
     double low, high;

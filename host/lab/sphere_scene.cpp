@@ -81,8 +81,8 @@ Scene sphere_scene(const Subject& subject, const std::vector<BrdfTable>& models,
     scene.shapes.push_back(shape_of(floor_around(), 2));
     scene.shapes.push_back(shape_of(Sphere{{0, 0, 1}, 1}, 3));
     // x points to the left: camera space is left-handed.
-    Shape lamp = shape_of(Sphere{{3, -3.2, 5.5}, 0.8}, 0);
-    lamp.emission = Emission{glm::vec3(30, 28, 25), false};
+    Shape lamp = shape_of(Sphere{{3, -3.2, 5.5}, 1}, 0);
+    lamp.emission = Emission{glm::vec3(19, 18, 16), false};
     scene.shapes.push_back(lamp);
     scene.environment = glm::vec3(0.35f, 0.42f, 0.52f);
     scene.film.width = scene.film.height = pixels;

@@ -8,6 +8,7 @@
 #define LOBE_BRDF_LOBE_H
 
 #include "brdf/brdf.h"
+#include "brdf/heading.h"
 #include "core/math.h"
 
 // Finite sharpness ends here; above, a lobe is a mirror.
@@ -44,7 +45,7 @@ real lobe_visible_arc(LobePoint p, real3 wo) {
 real3 lobe_direction(real3 wo, LobePoint p, real turns) {
     real3 mirror = reflect_local(wo);
     real sine = sqrt(mirror.x * mirror.x + mirror.y * mirror.y);
-    real2 heading = sine > 0 ? mirror.xy / sine : (real2)(1, 0);
+    real2 heading = heading_of(mirror);
     real2 around = sqrt(p.x * (2 - p.x)) * real_circle(turns);
     real outward = -wo.z * around.x;  // the tangent towards the normal leans back along heading
     return (real3)(fma(p.t, mirror.x, outward * heading.x - around.y * heading.y),

@@ -80,8 +80,10 @@ kernel void naive_return(global const real* n, global const real* normal, global
     real3 world = to_world(&frame, sample.wi);
     real c = dot(to_world(&frame, reflect_local(view)), world);
     out[3 * i] = sample.pdf;
-    out[3 * i + 1] = REAL_INV_TWO_PI / m.j * (c / (n[i] - (n[i] - 1) * c));
-    out[3 * i + 2] = rational_pdf(&m, view, to_local(&frame, world));
+    real3 back = to_local(&frame, world);
+    real arc = lobe_visible_arc(lobe_point(view, back), view);
+    out[3 * i + 1] = REAL_INV_TWO_PI / m.j * (c / (n[i] - (n[i] - 1) * c)) / arc;
+    out[3 * i + 2] = rational_pdf(&m, view, back);
 }
 
 // The frame of J. R. Frisvad, "Building an orthonormal basis from a 3D unit vector without
