@@ -26,7 +26,7 @@ struct Options {
     SpherePlan sphere{240, 128, 1};
 };
 
-const std::vector<double> table_angles = {0, 30, 45, 60, 75, 85}, plot_angles = {0, 30, 60, 80};
+const std::vector<double> table_angles = {0, 30, 45, 60, 75, 85}, plot_angles = {0, 30, 60};
 
 void make_folder(const std::string& folder) {
     std::error_code fault;

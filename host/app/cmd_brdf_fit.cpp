@@ -136,7 +136,6 @@ int run(Options options) {
     for (const Subject& subject : lab->subjects)
         refuse_tables(subject.model, held_of(options.lab.settings, subject.model));
     const bool show = options.lab.common.json != "-";
-    if (show) print_heading(options, table, points);
     const double size = size_of(points);
     std::vector<Fitted> all;
     for (const Subject& subject : lab->subjects) {
@@ -146,6 +145,7 @@ int run(Options options) {
         all.push_back(
             {&subject, fit_model(probe, subject, held_of(options.lab.settings, subject.model),
                                  points, options.fit)});
+        if (show && all.size() == 1) print_heading(options, table, points);
         if (show) print_model(all.back());
     }
     const Fitted& best =

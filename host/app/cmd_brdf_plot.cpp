@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // lobe brdf plot: what models reflect, in pictures.
+#include <cctype>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -26,24 +28,28 @@ namespace {
 struct Options {
     LabOptions lab;
     std::string output = "plot.svg", kind = "polar", scale = "auto";
-    std::vector<double> angles = {0, 30, 60, 80}, at;
+    std::vector<double> angles = {0, 30, 60}, at;
     double azimuth = 0;
     std::vector<std::string> vary;
     SpherePlan sphere;
 };
 
-bool is_svg(const std::string& path) {
-    return path.size() >= 4 && path.substr(path.size() - 4) == ".svg";
+std::string ending_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
 }
 
+bool is_svg(const std::string& path) { return ending_of(path) == ".svg"; }
+
 void check_output(const Options& options) {
-    const bool svg = is_svg(options.output);
-    if (svg && options.kind == "sphere")
+    const std::string ending = ending_of(options.output);
+    if (ending != ".svg" && ending != ".png")
+        throw Error(ExitCode::usage, "cannot write a plot of type '" + ending + "'", options.output,
+                    "plots end in .svg or .png");
+    if (ending == ".svg" && options.kind == "sphere")
         throw Error(ExitCode::usage, "a rendered sphere is no line drawing", options.output,
                     "give -o FILE.png");
-    if (!svg && image_format(options.output) != "png")
-        throw Error(ExitCode::usage, "cannot write a plot of that type", options.output,
-                    "plots end in .svg or .png");
     check_writable(options.output);
 }
 
@@ -144,7 +150,7 @@ Command add_brdf_plot(CLI::App& verb) {
         ->check(CLI::IsMember({"polar", "curves", "sphere"}));
     plot->add_option("--scale", options->scale, "of values: auto, linear or log")
         ->check(CLI::IsMember({"auto", "linear", "log"}));
-    plot->add_option("--angles", options->angles, "of view of a polar plot (0,30,60,80)")
+    plot->add_option("--angles", options->angles, "of view of a polar plot (0,30,60)")
         ->delimiter(',')
         ->check(real_number(0, 90, "from 0 to 90"))
         ->type_name("DEG,...");

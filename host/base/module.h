@@ -14,9 +14,9 @@ class Module {
     explicit Module(const std::string& name);
 
     // A function that it exports; null if there is no module or no such function.
-    template <typename Function>
-    Function* function(const char* name) const {
-        return reinterpret_cast<Function*>(find(name));
+    template <typename Pointer>
+    Pointer function(const char* name) const {
+        return reinterpret_cast<Pointer>(find(name));
     }
 
     // Why it could not be opened, or "".

@@ -69,8 +69,9 @@ std::vector<Albedo> directional_albedos(const BrdfProbe& probe,
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const HemisphereJob& job = jobs[i];
         const glm::dvec3 smooth(job.total[1], job.total[2], job.total[3]);
-        albedos.push_back({smooth + delta_albedo(&samples[i * pilot_samples]),
-                           std::max({job.error[1], job.error[2], job.error[3]})});
+        const glm::dvec3 mirror = delta_albedo(&samples[i * pilot_samples]);
+        albedos.push_back(
+            {smooth + mirror, mirror, std::max({job.error[1], job.error[2], job.error[3]})});
     }
     return albedos;
 }

@@ -13,8 +13,9 @@ struct AlbedoCase {
 };
 
 struct Albedo {
-    glm::dvec3 value;  // part of the light that is reflected, by channel
-    double error;      // how far off the cubature may be
+    glm::dvec3 value;   // part of the light that is reflected, by channel
+    glm::dvec3 mirror;  // what of it goes into delta lobes
+    double error;       // how far off the cubature may be
 };
 
 // The directional albedo seen from wo, for each case: the integral of f cos theta over the

@@ -108,7 +108,9 @@ namespace {
 ParameterSet scaled_colours(const BrdfTable& model, ParameterSet set, double scale) {
     for (std::size_t i = 0; i < set.rows.size(); ++i)
         if (model.parameters[i].kind == BrdfParameterKind::color)
-            for (int k = 0; k < 3; ++k) set.rows[i][k] *= static_cast<float>(scale);
+            for (int k = 0; k < 3; ++k)
+                set.rows[i][k] = std::min(static_cast<float>(model.parameters[i].highest),
+                                          static_cast<float>(scale) * set.rows[i][k]);
     return set;
 }
 
@@ -135,9 +137,17 @@ std::vector<ParameterSet> edges_of_energy(BrdfProbe& probe, const std::vector<Pa
     return edges;
 }
 
-// Some of the sets, evenly chosen.
-std::vector<ParameterSet> some_of(const std::vector<ParameterSet>& sets, std::size_t most) {
-    std::vector<ParameterSet> some;
+// At most `most` sets of the sweep that leave the colours at their defaults, evenly chosen.
+std::vector<ParameterSet> sets_without_colours(const BrdfTable& model, std::size_t most) {
+    const BrdfRows standard = model.default_rows();
+    std::vector<ParameterSet> sets = parameter_sweep(model, 10000), some;
+    const auto coloured = [&](const ParameterSet& set) {
+        for (std::size_t i = 0; i < standard.size(); ++i)
+            if (model.parameters[i].kind == BrdfParameterKind::color && set.rows[i] != standard[i])
+                return true;
+        return false;
+    };
+    sets.erase(std::remove_if(sets.begin(), sets.end(), coloured), sets.end());
     const std::size_t count = std::min(most, sets.size());
     for (std::size_t k = 0; k < count; ++k) some.push_back(sets[k * sets.size() / count]);
     return some;
@@ -155,7 +165,7 @@ CheckContext make_check_context(const Device& device, const KernelText& kernels,
     for (const BrdfParameter& p : model.parameters)
         if (p.kind == BrdfParameterKind::table) context.tables = made_up_table();
     context.sets = parameter_sweep(model, options.effort.sets);
-    const std::vector<ParameterSet> some = some_of(context.sets, options.effort.edges);
+    const std::vector<ParameterSet> some = sets_without_colours(model, options.effort.edges);
     for (ParameterSet& edge : edges_of_energy(context.probe, some, context.tables))
         context.sets.push_back(std::move(edge));
     std::vector<BrdfRows> rows;

@@ -16,7 +16,7 @@ class KernelText;
 // How much of a model's parameters and directions is looked at.
 struct CheckEffort {
     std::size_t sets = 36;   // of parameters
-    std::size_t edges = 10;  // sets at the edge of the claim to conserve energy
+    std::size_t edges = 18;  // sets at the edge of the claim to conserve energy
     std::size_t extreme_sets = 200;
     std::vector<double> angles = {0.05, 45, 80, 89.99};  // of incidence, degrees
     std::size_t directions = 48;                         // of each kind, for each set and angle

@@ -228,6 +228,7 @@ class SamplingChecks {
 
     void judge_case(const CheckCase& c, const HemisphereJob& job, const Drawn& drawn) {
         horizon_.see(drawn.outside, c.text);
+        judge_energy(c, job, drawn.delta_albedo, "");
         const double albedo = (job.total[1] + job.total[2] + job.total[3]) / 3 + drawn.delta_albedo;
         const double coarse = std::max(job.error[0], albedo > 0 ? job.error[1] / albedo : 0);
         if (!(coarse <= effort().resolution)) {
@@ -236,7 +237,6 @@ class SamplingChecks {
         }
         resolved_.see(0, "");
         if (!(coarse <= effort().resolution)) return;
-        judge_energy(c, job, drawn.delta_albedo, "");
         if (albedo == 0 && drawn.lost == static_cast<double>(drawn.weights.size())) return;
         judge_density(c, job, drawn);
         judge_weights(c, job, drawn, albedo);

@@ -220,11 +220,12 @@ ModelFit fit_model(BrdfProbe& probe, const Subject& subject, const std::vector<s
                    const FitPoints& points, const FitOptions& options) {
     const Stopwatch watch;
     const std::vector<Unknown> unknowns = unknowns_of(subject, held, brightness_of(points));
-    if (unknowns.empty() || 3 * points.size() <= unknowns.size())
-        throw Error(ExitCode::usage,
-                    unknowns.empty()
-                        ? subject.model.name + " has no parameter left to fit"
-                        : "there are fewer data than parameters of " + subject.model.name);
+    if (unknowns.empty())
+        throw Error(ExitCode::usage, subject.model.name + " has no parameter left to fit", "",
+                    "colours and numbers are fitted, but those that --set gives");
+    if (3 * points.size() <= unknowns.size())
+        throw Error(ExitCode::scene,
+                    "there are fewer data than parameters of " + subject.model.name);
     const FitPoints few = thinned(points, few_points);
     std::vector<LeastSquaresSolution> tries;
     for (const std::vector<double>& start : starting_points(unknowns, options.starts, options.seed))

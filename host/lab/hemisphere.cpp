@@ -47,6 +47,7 @@ struct Piece {
     Values integral, error;
     int axis;
     double highest;  // first value at the nodes
+    double zenith;   // and at the normal itself, where a node weighs nothing
 };
 
 glm::dvec2 node_at(const Patch& patch, int i, int j) {
@@ -59,7 +60,7 @@ template <typename At>
 Piece measure(const Patch& patch, const At& at) {
     const glm::dvec2 half = 0.5 * (patch.high - patch.low);
     const double area = half.x * half.y;
-    Piece piece{patch, {}, {}, 0, 0};
+    Piece piece{patch, {}, {}, 0, 0, 0};
     Values both{}, along{}, across{}, spread{};
     for (int i = 0; i < points; ++i)
         for (int j = 0; j < points; ++j)
@@ -111,18 +112,19 @@ void request(const HemisphereJob& job, const std::vector<Patch>& open, Hemispher
 void take(Progress& progress, const std::vector<Values>& values, std::size_t& place) {
     for (const Patch& patch : progress.open) {
         Values weighted[points][points];
-        double highest = 0;
+        double highest = 0, zenith = 0;
         for (int i = 0; i < points; ++i) {
             const double cosine = std::cos(node_at(patch, i, 0).x);
             for (int j = 0; j < points; ++j, ++place) {
-                // At the normal itself values weigh nothing.
-                if (cosine > 1e-6) highest = std::max(highest, values[place][0]);
+                double& most = cosine > 1e-6 ? highest : zenith;
+                most = std::max(most, values[place][0]);
                 for (int k = 0; k < HemisphereJob::values; ++k)
                     weighted[i][j][k] = values[place][k] * cosine;
             }
         }
         progress.done.push_back(measure(patch, [&](int i, int j) { return weighted[i][j]; }));
         progress.done.back().highest = highest;
+        progress.done.back().zenith = zenith;
     }
     progress.open.clear();
 }
@@ -141,9 +143,11 @@ void sum_up(HemisphereJob& job, const std::vector<Piece>& pieces) {
         }
 }
 
-// The axis across which to look for a peak that the pilot knows of in the patch and the nodes have
-// not met, or -1: that on which the points which tell of it keep closest to the border.
+// The axis across which to look for a peak in the patch that the nodes have not met, or -1. Of one
+// at the normal the value there tells, else the pilot: then it is the axis on which the points that
+// tell of it keep closest to the border.
 int hidden_axis(const Piece& piece, const std::vector<PilotPoint>& pilot) {
+    if (piece.zenith > 4 * piece.highest) return 0;
     const Patch& patch = piece.patch;
     glm::dvec2 inwards(-1);
     for (std::uint32_t i = patch.first; i < patch.first + patch.count; ++i) {

@@ -12,7 +12,7 @@ const Module& fit_module() {
     return module;
 }
 
-SolveLeastSquares* solver() {
+SolveLeastSquares solver() {
     return fit_module().function<SolveLeastSquares>("lobe_solve_least_squares");
 }
 

@@ -41,6 +41,7 @@ LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem);
 bool has_least_squares();
 
 // What the module lobe_fit.so exports as "lobe_solve_least_squares".
-using SolveLeastSquares = void(const LeastSquaresProblem& problem, LeastSquaresSolution& solution);
+using SolveLeastSquares = void (*)(const LeastSquaresProblem& problem,
+                                   LeastSquaresSolution& solution);
 
 }  // namespace lobe

@@ -120,6 +120,7 @@ nlohmann::ordered_json to_json(const ModelTable& table) {
         const PlaneLobe& lobe = row.lobe;
         Json view = {{"view_deg", row.degrees},
                      {"albedo", channels(row.albedo.value)},
+                     {"albedo_of_mirror_part", channels(row.albedo.mirror)},
                      {"albedo_error", number(row.albedo.error)},
                      {"peak_per_sr", number(lobe.peak)},
                      {"peak_light_deg", lobe.any ? Json(glm::degrees(lobe.at)) : Json(nullptr)},

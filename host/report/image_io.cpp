@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/image_io.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cstring>
@@ -10,32 +8,15 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/module.h"
 
 namespace lobe {
 
-// The module's functions. It is never closed: libraries it brings in do not survive that.
 struct ImageIo::Module {
-    WriteImage write = nullptr;
-    ReadImage read = nullptr;
-    DrawTexts draw_texts = nullptr;
-    std::string error;
-
-    Module() {
-        // Beside the program in a build, in lib/lobe of an installation.
-        const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-        void* handle = nullptr;
-        for (const auto& folder : {program, program / "../lib/lobe"}) {
-            handle = dlopen((folder / "lobe_image.so").c_str(), RTLD_NOW | RTLD_LOCAL);
-            if (handle) break;
-            error = dlerror();
-        }
-        if (!handle) handle = dlopen("lobe_image.so", RTLD_NOW | RTLD_LOCAL);
-        if (!handle) return;
-        error.clear();
-        write = reinterpret_cast<WriteImage>(dlsym(handle, "lobe_write_image"));
-        read = reinterpret_cast<ReadImage>(dlsym(handle, "lobe_read_image"));
-        draw_texts = reinterpret_cast<DrawTexts>(dlsym(handle, "lobe_draw_texts"));
-    }
+    lobe::Module file{"lobe_image.so"};
+    WriteImage write = file.function<WriteImage>("lobe_write_image");
+    ReadImage read = file.function<ReadImage>("lobe_read_image");
+    DrawTexts draw_texts = file.function<DrawTexts>("lobe_draw_texts");
 };
 
 ImageIo::ImageIo()
@@ -47,7 +28,7 @@ ImageIo::Module& ImageIo::module() {
     if (!module_) module_ = opening_.get();
     if (!module_->write || !module_->read || !module_->draw_texts)
         throw Error(ExitCode::output,
-                    "the image module lobe_image.so cannot be opened: " + module_->error, "",
+                    "the image module lobe_image.so cannot be opened: " + module_->file.error(), "",
                     "it belongs beside the program, and OpenImageIO must be installed");
     return *module_;
 }

@@ -124,11 +124,13 @@ ImageFile rasterise(const Drawing& drawing, ImageIo& images, double scale) {
     Painter painter(image, scale);
     for (const Polyline& line : drawing.lines) painter.draw(line);
     for (const Dot& dot : drawing.dots) painter.draw(dot);
-    const std::string font = find_font();
-    if (font.empty())
-        warn("no font is found: the picture has no labels (install fonts-dejavu-core)");
-    else
-        images.draw_texts(image, font, scaled(drawing.texts, scale));
+    if (!drawing.texts.empty()) {
+        const std::string font = find_font();
+        if (font.empty())
+            warn("no font is found: the picture has no labels (install fonts-dejavu-core)");
+        else
+            images.draw_texts(image, font, scaled(drawing.texts, scale));
+    }
     for (float& value : image.pixels) value = std::floor(glm::clamp(value, 0.0f, 255.0f) + 0.5f);
     return image;
 }

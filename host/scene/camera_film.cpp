@@ -18,7 +18,7 @@ constexpr double tiny = std::numeric_limits<double>::min();
 // Fails unless the directive's class is one of `known`; tells those of `later` from typing errors.
 void check_class(const Statement& statement, const std::vector<std::string>& known,
                  const std::vector<std::string>& later) {
-    const Text& kind = statement.strings[0];
+    const Word& kind = statement.strings[0];
     if (std::find(known.begin(), known.end(), kind.text) == known.end())
         fail_class(kind.place, statement.name, kind.text, known, later);
 }

@@ -104,7 +104,7 @@ void weigh(const Statement& statement, Evidence& evidence) {
     if (v3_directives.count(statement.name)) evidence.add(true, statement.place, title);
     if (v4_directives.count(statement.name)) evidence.add(false, statement.place, title);
     if (!statement.strings.empty()) {
-        const Text& kind = statement.strings[0];
+        const Word& kind = statement.strings[0];
         const Pair pair(statement.name, kind.text);
         if (v3_classes.count(pair)) evidence.add(true, kind.place, title);
         if (v4_classes.count(pair)) evidence.add(false, kind.place, title);

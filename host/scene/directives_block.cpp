@@ -44,7 +44,7 @@ void SceneReader::reverse_orientation(const Statement&) {
 
 void SceneReader::object_begin(const Statement& s) {
     if (shapes_ != &scene_.shapes) fail(s.place, "ObjectBegin within an object");
-    const Text& name = s.strings[0];
+    const Word& name = s.strings[0];
     if (objects_.count(name.text))
         context_.fault(name.place, "an object called \"" + name.text + "\" is there already",
                        "give each object its own name");
@@ -61,7 +61,7 @@ void SceneReader::object_end(const Statement& s) {
 
 void SceneReader::object_instance(const Statement& s) {
     if (shapes_ != &scene_.shapes) fail(s.place, "ObjectInstance within an object");
-    const Text& name = s.strings[0];
+    const Word& name = s.strings[0];
     const auto found = objects_.find(name.text);
     if (found == objects_.end()) {
         std::vector<std::string> names;

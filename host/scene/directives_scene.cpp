@@ -28,7 +28,7 @@ void SceneReader::ignored(const Statement&) {}
 void SceneReader::option(const Statement& s) { context_.warn(s.place, "Option is left out"); }
 
 void SceneReader::color_space(const Statement& s) {
-    const Text& name = s.strings[0];
+    const Word& name = s.strings[0];
     if (name.text == "srgb") return;
     for (const char* later : {"dci-p3", "rec2020", "aces2065-1"})
         if (name.text == later)
@@ -42,7 +42,7 @@ void SceneReader::not_yet(const Statement& s) {
 
 // Shapes without a medium on either side are what lobe renders.
 void SceneReader::medium_interface(const Statement& s) {
-    for (const Text& medium : s.strings)
+    for (const Word& medium : s.strings)
         if (!medium.text.empty())
             fail(s.place, "MediumInterface is understood but not supported yet",
                  "lobe renders surfaces, not volumes");
@@ -72,12 +72,12 @@ Material SceneReader::understand(const Statement& s, const std::string& type, co
 }
 
 void SceneReader::material(const Statement& s) {
-    const Text& type = s.strings[0];
+    const Word& type = s.strings[0];
     state_.material = add_material(understand(s, type.text, type.place));
 }
 
 void SceneReader::make_named_material(const Statement& s) {
-    const Text& name = s.strings[0];
+    const Word& name = s.strings[0];
     Parameters parameters(s, context_);
     const Parameter* given = parameters.find({"type"});
     const std::string type = parameters.text({"type"}, "");
@@ -99,7 +99,7 @@ void SceneReader::make_named_material(const Statement& s) {
 }
 
 void SceneReader::named_material(const Statement& s) {
-    const Text& name = s.strings[0];
+    const Word& name = s.strings[0];
     const auto found = state_.names->materials.find(name.text);
     if (found != state_.names->materials.end()) {
         state_.material = found->second;
@@ -117,7 +117,7 @@ void SceneReader::named_material(const Statement& s) {
 }
 
 void SceneReader::texture(const Statement& s) {
-    const Text &name = s.strings[0], &type = s.strings[1], &kind = s.strings[2];
+    const Word &name = s.strings[0], &type = s.strings[1], &kind = s.strings[2];
     if (type.text != "float" && type.text != "spectrum" && type.text != "color")
         fail(type.place, "unknown texture type \"" + type.text + "\"",
              suggestion(type.text, {"color", "float", "spectrum"}));

@@ -59,7 +59,7 @@ void SceneReader::coordinate_system(const Statement& s) {
 }
 
 void SceneReader::coord_sys_transform(const Statement& s) {
-    const Text& name = s.strings[0];
+    const Word& name = s.strings[0];
     const auto found = coordinate_systems_.find(name.text);
     if (found != coordinate_systems_.end()) return replace(s, found->second);
     std::vector<std::string> names;
@@ -69,7 +69,7 @@ void SceneReader::coord_sys_transform(const Statement& s) {
 }
 
 void SceneReader::active_transform(const Statement& s) {
-    const Text& which = s.strings[0];
+    const Word& which = s.strings[0];
     if (which.text != "All" && which.text != "StartTime" && which.text != "EndTime")
         fail(which.place, "unknown ActiveTransform '" + which.text + "'",
              suggestion(which.text, {"All", "EndTime", "StartTime"}));

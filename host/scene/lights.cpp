@@ -82,7 +82,7 @@ double emitter_area(const AreaLight& light, const Shape& shape) {
 }  // namespace
 
 AreaLight read_area_light(const Statement& statement, const ReadContext& context) {
-    const Text& kind = statement.strings[0];
+    const Word& kind = statement.strings[0];
     if (kind.text != "diffuse" && kind.text != "area")
         fail_class(kind.place, "AreaLightSource", kind.text, {"area", "diffuse"}, {});
     Parameters p(statement, context);
@@ -109,7 +109,7 @@ Emission emission_of(const AreaLight& light, const Shape& shape) {
 
 void read_light(const Statement& statement, const glm::dmat4& light_to_world,
                 ReadContext& context) {
-    const Text& kind = statement.strings[0];
+    const Word& kind = statement.strings[0];
     Parameters p(statement, context);
     if (kind.text == "point") {
         read_point_light(p, light_to_world, context.scene);

@@ -73,7 +73,7 @@ SceneFiles::SceneFiles(const std::string& path, bool lenient, std::vector<std::s
             stack.pop_back();
             continue;
         }
-        const Text& name = statements[visit.next++].strings[0];
+        const Word& name = statements[visit.next++].strings[0];
         const std::string file = resolve_path(name.text, name.place, root_folder);
         const auto known = by_path_.find(identity(file));
         ParsedFile* const included = known == by_path_.end() ? parse(file) : known->second;

@@ -173,7 +173,7 @@ void SceneReader::check_end() {
         context_.fault(end, "no WorldEnd: the scene may be incomplete",
                        "end a pbrt-v3 scene with WorldEnd");
     if (!undefined_materials_.empty()) {
-        const Text& name = undefined_materials_.begin()->second;
+        const Word& name = undefined_materials_.begin()->second;
         std::vector<std::string> names;
         for (const auto& row : context_.names->materials)
             if (!undefined_materials_.count(row.second)) names.push_back(row.first);

@@ -123,7 +123,7 @@ class SceneReader {
     std::map<std::string, std::vector<Shape>> objects_;
     std::vector<Shape>* shapes_ = nullptr;  // where shapes go: the scene's or an object's
     std::optional<std::uint32_t> standard_material_;
-    std::map<std::uint32_t, Text> undefined_materials_;  // named before they are made (version 4)
+    std::map<std::uint32_t, Word> undefined_materials_;  // named before they are made (version 4)
     bool in_world_ = false, world_ended_ = false;
     std::size_t files_entered_ = 0;
     std::size_t triangles_ = 0;  // of the scene's shapes

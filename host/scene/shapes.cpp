@@ -82,7 +82,7 @@ void finish_mesh(Mesh& mesh, Shape& shape, const glm::dmat4& to_world, bool reve
 
 Shape read_shape(const Statement& statement, const glm::dmat4& object_to_world,
                  bool reverse_orientation, const ReadContext& context, Sha256& files) {
-    const Text& kind = statement.strings[0];
+    const Word& kind = statement.strings[0];
     Parameters p(statement, context);
     Shape shape;
     shape.where = to_string(statement.place);

@@ -39,7 +39,8 @@ struct Parameter {
     bool bare_boolean = false;         // true, not "true"
 };
 
-struct Text {
+// A quoted string: a directive's class, a name.
+struct Word {
     std::string text;
     Place place;
 };
@@ -48,7 +49,7 @@ struct Text {
 struct Statement {
     std::string name;
     Place place;
-    std::vector<Text> strings;
+    std::vector<Word> strings;
     std::vector<double> numbers;
     std::vector<Parameter> parameters;
 

@@ -156,10 +156,7 @@ TEST_F(BrdfNumbersVectors, PowersOfCosinesThatAreNone) {
 TEST_F(BrdfNumbersVectors, DensitiesThereAndBack) {
     struct {
         double n, printed, bad, ours;  // published worst errors, percent infinite or negative
-    } const rows[] = {{1e3, 3e-4, 0, 2.0e-6},
-                      {1e6, .37, 0, 6.3e-5},
-                      {1e8, 3.95, 6.5, 4.9e-4},
-                      {1e10, 0, 0, 4.4e-3}};
+    } const rows[] = {{1e3, 3e-4, 0, 2.0e-6}, {1e6, .37, 0, 6.3e-5}, {1e8, 3.95, 6.5, 4.9e-4}};
     std::printf("      n: printed (published) %% bad (published); lobe's (published)\n");
     for (const auto& row : rows) {
         Random random(72);
@@ -207,4 +204,5 @@ TEST_F(BrdfNumbersVectors, FramesAtThePole) {
             worst = std::max(worst, double(std::fabs(error)));
     }
     std::printf("  off by %.1e (published .2); lobe's frames are within 3e-7\n", worst);
+    EXPECT_NEAR(worst, .2, .1);
 }

@@ -287,3 +287,22 @@ TEST(LeastSquares, FaultsOfTheResidualsArePassedOn) {
     };
     EXPECT_TRUE(std::isinf(solve_least_squares(problem).sum_of_squares));
 }
+
+TEST(LeastSquares, ALoneUnknownAtItsBound) {
+    LOBE_NEEDS_FIT();
+    LeastSquaresProblem problem;
+    problem.residuals = 1;
+    problem.start = {0.5};
+    problem.lowest = {0};
+    problem.highest = {1};
+    problem.with_covariance = true;
+    problem.evaluate = [](const double* x, double* r, double* jacobian) {
+        r[0] = x[0] + 1;
+        if (jacobian) jacobian[0] = 1;
+    };
+    const LeastSquaresSolution solution = solve_least_squares(problem);
+    EXPECT_TRUE(solution.converged);
+    EXPECT_EQ(solution.x[0], 0);
+    EXPECT_NEAR(solution.sum_of_squares, 1, 1e-12);
+    EXPECT_TRUE(solution.covariance.empty() || solution.covariance[0] == 0);
+}

@@ -16,10 +16,10 @@ using namespace lobe::test;
 
 namespace {
 
-BrdfProbe make_probe(const std::string& model) {
+BrdfProbe make_probe(const std::string& model, Precision precision = Precision::single) {
     const KernelText kernels;
     const std::string file = "brdf/" + model + ".h";
-    return BrdfProbe(test_device(), kernels, parse_brdf_table(file, kernels.read(file)));
+    return BrdfProbe(test_device(), kernels, parse_brdf_table(file, kernels.read(file)), precision);
 }
 
 Sharpened lobe_alone(BrdfProbe& probe) {
@@ -88,11 +88,7 @@ std::vector<double> exponents() {
     return values;
 }
 
-}  // namespace
-
-TEST(LabMatching, RationalToCosinePowersIsTheKnownTable) {
-    BrdfProbe rational = make_probe("rational"), power = make_probe("modified_phong");
-    const Sharpened own = lobe_alone(rational), other = lobe_alone(power);
+void expect_the_table(const Sharpened& own, const Sharpened& other) {
     const std::vector<Match> matches = match_lobes(own, other, exponents());
     ASSERT_EQ(matches.size(), printed.size());
     for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -104,6 +100,43 @@ TEST(LabMatching, RationalToCosinePowersIsTheKnownTable) {
             EXPECT_NEAR(matches[i].matched[k + 1], std::atof(texts[k]), half_digit(texts[k]))
                 << criteria[k + 1].name;
     }
+}
+
+}  // namespace
+
+TEST(LabMatching, RationalToCosinePowersIsTheKnownTable) {
+    BrdfProbe rational = make_probe("rational"), power = make_probe("modified_phong");
+    expect_the_table(lobe_alone(rational), lobe_alone(power));
+}
+
+// A diffuse part as large as the lobe takes digits from the tail of sharp ones: in double there are
+// enough, and the table is the same.
+TEST(LabMatching, ADiffusePartDoesNotMatterInDouble) {
+    LOBE_NEEDS_DOUBLE();
+    BrdfProbe rational = make_probe("rational", Precision::twice);
+    BrdfProbe power = make_probe("modified_phong", Precision::twice);
+    expect_the_table(find_sharpness(rational, set_up(rational.model(), {})),
+                     find_sharpness(power, set_up(power.model(), {})));
+}
+
+TEST(LabMatching, WhatIsOutOfReachIsNotMatched) {
+    BrdfProbe own_probe = make_probe("blinn_phong"), other_probe = make_probe("modified_phong");
+    // No half vector's lobe is so wide.
+    const Match match = match_lobes(lobe_alone(own_probe), lobe_alone(other_probe), {0.3})[0];
+    EXPECT_TRUE(std::isnan(match.matched[1]));
+}
+
+TEST(LabMatching, AModelWithoutASharpnessIsRefusedByName) {
+    BrdfProbe lambert = make_probe("lambert"), rational = make_probe("rational");
+    try {
+        find_sharpness(lambert, set_up(lambert.model(), {}));
+        ADD_FAILURE() << "lambert has no lobe";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::usage);
+        EXPECT_NE(std::string(error.what()).find("'lambert' has no parameter"), std::string::npos);
+    }
+    EXPECT_FALSE(shaping_parameter(rational, set_up(rational.model(), {}), "kd"));
+    EXPECT_EQ(shaping_parameter(rational, set_up(rational.model(), {}), "n"), 2u);
 }
 
 TEST(LabMatching, AgreesWithTheClosedForms) {
