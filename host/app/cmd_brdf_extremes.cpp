@@ -19,10 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// "8.4e-4", at most seven characters; "-" for what could not be measured.
+// "8.4e-4"; "-" for what could not be measured, 0 for what double itself rounds.
 std::string figure(double value) {
     if (std::isnan(value)) return "-";
-    if (value == 0) return "0";
+    if (value < 1e-16) return "0";
     char text[32];
     std::snprintf(text, sizeof text, "%.1e", value);
     std::string s = text;  // the exponent without padding

@@ -19,7 +19,7 @@ CheckEffort CheckEffort::reduced() {
     effort.extreme_sets = 4;
     effort.angles = {60};
     effort.directions = 4;
-    effort.samples = 256;
+    effort.samples = 1024;
     effort.pilot = 64;
     effort.lookout = 8;
     effort.cells = 8;
@@ -118,6 +118,7 @@ ParameterSet scaled_colours(const BrdfTable& model, ParameterSet set, double sca
 // that is a little too generous shows there or nowhere. None where no scale ends the claim.
 std::vector<ParameterSet> edges_of_energy(BrdfProbe& probe, const std::vector<ParameterSet>& sets,
                                           const std::vector<float>& tables) {
+    if (sets.empty()) return {};
     std::vector<double> holds(sets.size(), 0), fails(sets.size(), 64);
     for (int step = 0; step < 30; ++step) {
         std::vector<BrdfRows> rows;

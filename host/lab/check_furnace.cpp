@@ -108,7 +108,11 @@ Finding check_furnace(CheckContext& context) {
             const double error =
                 std::hypot(picture.image_mean_standard_error.value_or(0), 2e-4 * albedo, unsure);
             if (!session.status().sound()) finding.see_p(0, place + ": the renderer trapped");
-            if (error > 0) finding.see_p(two_sided_p((picture.image_mean - albedo) / error), place);
+            // One degree of freedom a pixel and replicate beyond the first.
+            const double freedom =
+                double(effort.furnace_pixels) * effort.furnace_pixels * (LOBE_REPLICATES - 1);
+            const double t = std::abs(picture.image_mean - albedo) / error;
+            if (error > 0) finding.see_p(2 * student_cdf(-t, freedom), place);
         }
     }
     return finding;

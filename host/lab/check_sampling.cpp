@@ -25,6 +25,8 @@ struct Drawn {
     bool outside = false;  // below the horizon, or no unit vector
 };
 
+double square(double x) { return x * x; }
+
 class SamplingChecks {
   public:
     SamplingChecks(CheckContext& context, ModelReport& report)
@@ -260,11 +262,16 @@ class SamplingChecks {
     void judge_weights(const CheckCase& c, const HemisphereJob& job, const Drawn& drawn,
                        double albedo) {
         if (!(albedo > 0)) return;
-        // Where all weights are equal, rounding is what is left.
-        const double error = std::hypot(standard_error(drawn.weights), 1e-4 * albedo, job.error[1]);
+        // The variance by quadrature, too: samples may have missed what makes it large. Where all
+        // weights are equal, rounding is what is left.
+        const double by_deltas =
+            drawn.delta_share > 0 ? square(drawn.delta_albedo) / drawn.delta_share : 0;
+        const double variance = std::max(0.0, job.total[4] + by_deltas - square(albedo));
+        const double error =
+            std::hypot(std::sqrt(variance / static_cast<double>(drawn.weights.size())),
+                       1e-4 * albedo, job.error[1]);
         albedo_.see_p(two_sided_p((mean(drawn.weights) - albedo) / error), c.text);
         if (drawn.delta_share > 0) return;
-        const double variance = std::max(0.0, job.total[4] - albedo * albedo);
         const double deviation = std::sqrt(variance) / std::max(albedo, 0.05);
         variance_.see(deviation, c.text);
         report_.largest_weight_deviation = std::max(report_.largest_weight_deviation, deviation);

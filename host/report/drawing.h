@@ -18,7 +18,6 @@ struct Polyline {
     std::vector<glm::dvec2> points;
     Ink ink;
     double width = 1;
-    double dash = 0;  // length of dashes and of the gaps between them; 0: a whole line
 };
 
 struct Dot {

@@ -11,32 +11,6 @@
 namespace lobe {
 namespace {
 
-// The pieces of a line that are ink.
-std::vector<std::vector<glm::dvec2>> dashes(const std::vector<glm::dvec2>& points, double length) {
-    std::vector<std::vector<glm::dvec2>> pieces(1);
-    double left = length;
-    bool inked = true;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i == 0) {
-            pieces.back().push_back(points[0]);
-            continue;
-        }
-        glm::dvec2 from = points[i - 1];
-        double way = glm::distance(from, points[i]);
-        while (way > left) {
-            from += left / way * (points[i] - from);
-            way -= left;
-            left = length;
-            if (inked) pieces.back().push_back(from);
-            if (!inked) pieces.push_back({from});
-            inked = !inked;
-        }
-        left -= way;
-        if (inked) pieces.back().push_back(points[i]);
-    }
-    return pieces;
-}
-
 // Paints by coverage: how much of a pixel lies within a shape, by its distance from the edge.
 class Painter {
   public:
@@ -44,10 +18,7 @@ class Painter {
         : image_(image), scale_(scale), mask_(image.width * std::size_t(image.height)) {}
 
     void draw(const Polyline& line) {
-        if (line.dash > 0)
-            for (const auto& piece : dashes(line.points, line.dash)) stroke(piece, line.width);
-        else
-            stroke(simplified(line.points, 0.02), line.width);
+        stroke(simplified(line.points, 0.02), line.width);
         paint(line.ink);
     }
     void draw(const Dot& dot) {

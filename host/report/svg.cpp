@@ -54,9 +54,8 @@ struct Writer {
         for (const glm::dvec2& p : simplified(line.points, 0.05))
             points += (points.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
         out += "<polyline fill=\"none\"" + attribute("points", points) +
-               attribute("stroke", colour(line.ink)) + attribute("stroke-width", line.width);
-        if (line.dash > 0) out += attribute("stroke-dasharray", line.dash);
-        out += "/>\n";
+               attribute("stroke", colour(line.ink)) + attribute("stroke-width", line.width) +
+               "/>\n";
     }
     void write(const Dot& dot) {
         out += "<circle" + attribute("cx", dot.centre.x) + attribute("cy", dot.centre.y) +

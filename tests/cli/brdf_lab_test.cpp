@@ -183,7 +183,8 @@ TEST_F(BrdfLab, WhatCannotBeWrittenIsToldBeforeTheWork) {
     RunOptions no_device;
     no_device.environment = {{"OCL_ICD_VENDORS", "/nonexistent"}};
     expect_fault(brdf({"plot", "rational", "-o", "no/a.svg"}, no_device), 5,
-                 "no/a.svg: the folder does not exist", "");
+                 "no/a.svg: cannot write a file in the folder no: No such file or directory",
+                 "make the folder first");
     folder_.write("file", "");
     const RunResult doc = brdf({"doc", "rational", "-o", "file/pages"}, no_device);
     EXPECT_EQ(doc.code, 5);

@@ -184,6 +184,9 @@ TEST_F(BrdfNumbersVectors, DensitiesThereAndBack) {
         }
         std::printf("  %5g: %.1e (%.1e) %.1f (%g); %.1e (%.1e)\n", row.n, printed, row.printed, bad,
                     row.bad, ours, row.ours);
+        EXPECT_NEAR(std::log2(printed / row.printed), 0, 0.6) << row.n;
+        EXPECT_NEAR(bad, row.bad, 1.5) << row.n;
+        EXPECT_NEAR(std::log2(ours / row.ours), 0, 2) << row.n;
     }
 }
 
