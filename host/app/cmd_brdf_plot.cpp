@@ -71,12 +71,12 @@ Drawing curves(const Options& options, const Lab& lab) {
     for (const Subject& subject : lab.subjects) {
         BrdfProbe probe = lab.probe(subject);
         const std::string name = named_for(options.vary, subject.model.name);
-        const std::optional<std::size_t> shaping = shaping_parameter(probe, subject, name);
-        if (!shaping) {
+        const std::vector<std::size_t> shaping = shaping_parameters(probe, subject, name);
+        if (shaping.empty()) {
             panels.push_back(lobe_panel(probe, subject));
             continue;
         }
-        const Sharpened model{probe, subject, *shaping};
+        const Sharpened model{probe, subject, shaping};
         panels.push_back(lobe_panel(model, options.at.empty() ? model.few() : options.at));
     }
     return draw_lobes(panels, options.scale == "log");

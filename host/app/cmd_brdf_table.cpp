@@ -40,7 +40,7 @@ Json match(const Options& options, const Lab& lab) {
         if (!(value >= other.row().lowest && value <= other.row().highest))
             throw Error(ExitCode::usage,
                         "--at " + std::to_string(value) + " is out of the range of " +
-                            target.model.name + "'s " + other.row().name,
+                            target.model.name + "'s " + other.name(),
                         "", "lobe brdf list --json - shows the ranges");
     for (std::size_t i = 0; i + 1 < lab.subjects.size(); ++i) {
         const Subject& subject = lab.subjects[i];

@@ -42,12 +42,7 @@ CheckContext make_check_context(const Device& device, const KernelText& kernels,
 glm::dvec3 view_at(double degrees, double azimuth = 0.7);
 
 // v as floats hold it: what the device is asked, and what the host reckons with.
-// (GCC 12's vectoriser takes a conversion to float and back for nothing, but not of volatiles.)
-inline glm::dvec3 rounded(const glm::dvec3& v) {
-    volatile float x = static_cast<float>(v.x), y = static_cast<float>(v.y);
-    volatile float z = static_cast<float>(v.z);
-    return {x, y, z};
-}
+inline glm::dvec3 rounded(const glm::dvec3& v) { return glm::dvec3(glm::vec3(v)); }
 
 inline double mean_channel(const glm::dvec3& v) { return (v.x + v.y + v.z) / 3; }
 

@@ -224,7 +224,7 @@ class SamplingChecks {
         const double albedo = more + std::max({job.total[1], job.total[2], job.total[3]});
         const double unsure = *std::max_element(&job.error[1], &job.error[4]);
         const bool claimed = context_.claims(c).conserves_energy;
-        if (claimed) report_.largest_albedo = std::max(report_.largest_albedo, albedo);
+        if (claimed) report_.largest_albedo = std::max(report_.largest_albedo, albedo - unsure);
         energy_.see(claimed, albedo - 1 - unsure, c.text + side);
     }
 

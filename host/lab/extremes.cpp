@@ -197,6 +197,7 @@ std::vector<ExtremesRow> measure_extremes(const ExtremesProbes& probes,
         if (!probes.oracle) row.limit = row.arithmetic = unknown;
         for (std::size_t i = first; i < end && probes.oracle; ++i) {
             row.limit = std::max(row.limit, limits[i]);
+            if (!is_finite(exact[i])) row.excess = INFINITY;  // no reference is no pass
             if (!is_finite(ours[i])) continue;
             row.arithmetic = std::max(row.arithmetic, relative_difference(ours[i], rounded[i]));
             row.excess =

@@ -34,10 +34,10 @@ std::string key_of(const Criterion& criterion) {
 
 std::string to_text(const std::vector<Match>& matches, const Sharpened& own,
                     const Sharpened& other) {
-    const std::string name = other.subject.model.name + " " + other.row().name;
+    const std::string name = other.subject.model.name + " " + other.name();
     const std::size_t width = std::max<std::size_t>(name.size() + 2, 12);
-    std::string out = own.row().name + " of " + own.subject.model.name + " for the lobe of " +
-                      name + ", alike in\n" + padded(name, width);
+    std::string out = own.name() + " of " + own.subject.model.name + " for the lobe of " + name +
+                      ", alike in\n" + padded(name, width);
     for (const Criterion& criterion : criteria) out += "  " + std::string(criterion.name);
     for (const Match& match : matches) {
         out += "\n" + padded(digits(match.value), width);
@@ -50,9 +50,9 @@ std::string to_text(const std::vector<Match>& matches, const Sharpened& own,
 nlohmann::ordered_json to_json(const std::vector<Match>& matches, const Sharpened& own,
                                const Sharpened& other) {
     nlohmann::ordered_json json = {{"model", own.subject.model.name},
-                                   {"parameter", own.row().name},
+                                   {"parameter", own.name()},
                                    {"to_model", other.subject.model.name},
-                                   {"to_parameter", other.row().name},
+                                   {"to_parameter", other.name()},
                                    {"matches", nlohmann::ordered_json::array()}};
     for (const Match& match : matches) {
         const LobeShape& shape = match.shape;

@@ -15,12 +15,24 @@ const std::array<Criterion, 5> criteria = {{{"peak curvature", &LobeShape::curva
                                             {"normal albedo", &LobeShape::albedo},
                                             {"median energy", &LobeShape::median}}};
 
-std::vector<LobeShape> Sharpened::shapes(const std::vector<double>& values) const {
+std::string Sharpened::name() const {
+    std::string all;
+    for (const std::size_t place : parameters)
+        all += (all.empty() ? "" : "=") + subject.model.parameters[place].name;
+    return all;
+}
+
+void Sharpened::set(const std::vector<double>& values) const {
     std::vector<BrdfRows> sets(values.size(), subject.rows);
     for (std::size_t i = 0; i < values.size(); ++i)
-        sets[i][parameter] = {static_cast<float>(values[i]), 0, 0, 0};
+        for (const std::size_t place : parameters)
+            sets[i][place] = {static_cast<float>(values[i]), 0, 0, 0};
     probe.set_parameters(sets, subject.tables);
-    return measure_lobe_shapes(probe, static_cast<std::uint32_t>(sets.size()));
+}
+
+std::vector<LobeShape> Sharpened::shapes(const std::vector<double>& values) const {
+    set(values);
+    return measure_lobe_shapes(probe, static_cast<std::uint32_t>(values.size()));
 }
 
 std::vector<double> Sharpened::scan() const {
@@ -63,37 +75,58 @@ std::vector<double> Sharpened::few() const {
     return within(row(), {0.1, 1, 10, 100, 1000}, {0.25, 0.5, 1, 2, 4});
 }
 
-std::optional<std::size_t> shaping_parameter(BrdfProbe& probe, const Subject& subject,
-                                             const std::string& name) {
-    double most = 2;  // a width that changes less is not shaped
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < subject.model.parameters.size(); ++i) {
-        const BrdfParameter& row = subject.model.parameters[i];
-        if (row.kind != BrdfParameterKind::number) continue;
-        if (!name.empty() && row.name != name) continue;
-        const Sharpened candidate{probe, subject, i};
-        double low = std::numeric_limits<double>::infinity(), high = 0;
-        for (const LobeShape& shape : candidate.shapes(candidate.examples())) {
-            if (!(shape.half_width > 0)) continue;
-            low = std::min(low, shape.half_width);
-            high = std::max(high, shape.half_width);
-        }
-        if (high / low <= most) continue;
-        most = high / low;
-        best = i;
+namespace {
+
+// How many times the quantity's least value the largest is, over the parameter's examples.
+double effect(BrdfProbe& probe, const Subject& subject, std::size_t place,
+              double LobeShape::*quantity) {
+    const Sharpened candidate{probe, subject, {place}};
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (const LobeShape& shape : candidate.shapes(candidate.examples())) {
+        if (!(shape.*quantity > 0)) continue;
+        low = std::min(low, shape.*quantity);
+        high = std::max(high, shape.*quantity);
     }
-    return best;
+    return high / low;
+}
+
+bool alike(const BrdfParameter& a, const BrdfParameter& b) {
+    return a.kind == b.kind && a.standard == b.standard && a.lowest == b.lowest &&
+           a.highest == b.highest;
+}
+
+}  // namespace
+
+std::vector<std::size_t> shaping_parameters(BrdfProbe& probe, const Subject& subject,
+                                            const std::string& name) {
+    const std::vector<BrdfParameter>& rows = subject.model.parameters;
+    double most = 2;  // a width that changes less is not shaped
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].kind != BrdfParameterKind::number) continue;
+        if (!name.empty() && rows[i].name != name) continue;
+        const double change = effect(probe, subject, i, &LobeShape::half_width);
+        if (change <= most) continue;
+        most = change;
+        places = {i};
+    }
+    if (places.empty() || !name.empty()) return places;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (i != places[0] && alike(rows[i], rows[places[0]]) &&
+            effect(probe, subject, i, &LobeShape::integral) > 1.5)
+            places.push_back(i);
+    return places;
 }
 
 Sharpened find_sharpness(BrdfProbe& probe, const Subject& subject, const std::string& name) {
-    const std::optional<std::size_t> place = shaping_parameter(probe, subject, name);
-    if (!place)
+    const std::vector<std::size_t> places = shaping_parameters(probe, subject, name);
+    if (places.empty())
         throw Error(ExitCode::usage,
                     "model '" + subject.model.name + "' has no " +
                         (name.empty() ? "parameter" : "parameter '" + name + "'") +
                         " that shapes a lobe about the mirror direction",
                     "", "lobe brdf plot --kind curves shows the lobes that models have");
-    return {probe, subject, *place};
+    return {probe, subject, places};
 }
 
 namespace {

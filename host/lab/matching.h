@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,14 +19,19 @@ struct Criterion {
 };
 extern const std::array<Criterion, 5> criteria;
 
-// A model whose sharpness is to be chosen: the parameter of that place in its table.
+// A model whose sharpness is to be chosen: the parameters of these places in its table, which take
+// the same value; there is one at least.
 struct Sharpened {
     BrdfProbe& probe;
     Subject subject;  // the other parameters
-    std::size_t parameter;
+    std::vector<std::size_t> parameters;
 
-    const BrdfParameter& row() const { return subject.model.parameters[parameter]; }
-    // The lobes with these values of the parameter.
+    const BrdfParameter& row() const { return subject.model.parameters[parameters[0]]; }
+    // "n", "nu=nv"
+    std::string name() const;
+    // Gives the probe a set for each value.
+    void set(const std::vector<double>& values) const;
+    // The lobes with these values.
     std::vector<LobeShape> shapes(const std::vector<double>& values) const;
     // Values between which solutions are sought, log-spaced.
     std::vector<double> scan() const;
@@ -37,9 +41,10 @@ struct Sharpened {
 };
 
 // The place of the parameter of that name or, where it is empty, of the number that changes the
-// width of the lobe most; nothing if there is none, or if it does not shape a lobe.
-std::optional<std::size_t> shaping_parameter(BrdfProbe& probe, const Subject& subject,
-                                             const std::string& name = "");
+// width of the lobe most, and with it those of the same range and default that change the lobe too,
+// as roughness along the other tangent does. Empty if there is none that shapes a lobe.
+std::vector<std::size_t> shaping_parameters(BrdfProbe& probe, const Subject& subject,
+                                            const std::string& name = "");
 
 // The same as a Sharpened. Throws Error (usage) where there is none.
 Sharpened find_sharpness(BrdfProbe& probe, const Subject& subject, const std::string& name = "");

@@ -70,7 +70,10 @@ Title title_of(const BrdfTable& model) {
 std::string doc_text(const BrdfTable& model) {
     const Title title = title_of(model);
     std::string out = "# " + markdown(title.name) + "\n\n";
-    if (!title.formula.empty()) out += wrapped(title.formula, 88, "    ") + "\n";
+    const bool equation = title.formula.find(" = ") != std::string::npos;
+    if (equation) out += wrapped(title.formula, 88, "    ") + "\n";
+    if (!equation && !title.formula.empty())
+        out += wrapped(markdown(title.formula), 100, "") + "\n";
     for (std::string paragraph : paragraphs(model)) {
         std::string head;
         for (const char* label : {"Sources:", "Source:"})

@@ -99,13 +99,10 @@ class LobePlot {
 }  // namespace
 
 LobePanel lobe_panel(const Sharpened& model, const std::vector<double>& values) {
-    const std::string& name = model.row().name;
-    LobePanel panel{model.subject.model.name, "by " + name + "; " + model.subject.text(), {}};
-    std::vector<BrdfRows> sets(values.size(), model.subject.rows);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        sets[i][model.parameter] = {static_cast<float>(values[i]), 0, 0, 0};
-    model.probe.set_parameters(sets, model.subject.tables);
-    const auto lobes = lobes_of(model.probe, static_cast<std::uint32_t>(sets.size()));
+    LobePanel panel{
+        model.subject.model.name, "by " + model.name() + "; " + model.subject.text(), {}};
+    model.set(values);
+    const auto lobes = lobes_of(model.probe, static_cast<std::uint32_t>(values.size()));
     for (std::size_t i = 0; i < values.size(); ++i)
         panel.curves.push_back({plot_number(values[i]), lobes[i]});
     return panel;

@@ -12,7 +12,7 @@
 #include "core/math.h"
 
 // Finite sharpness ends here; above, a lobe is a mirror.
-#define LOBE_LARGEST_N R(3e38)
+#define LOBE_LARGEST_N ((real)3e38f)
 
 typedef struct {
     real x;  // 1 - cos phi

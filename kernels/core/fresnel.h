@@ -8,11 +8,13 @@
 // A dielectric of index eta relative to the side of the light, 0 <= cosine <= 1. Below eta = 1 it
 // reflects all light beyond the critical angle.
 real fresnel_dielectric(real cosine, real eta) {
-    real inside_squared = (eta - 1) * (eta + 1) + cosine * cosine;  // (eta cos of refraction)^2
-    if (!(inside_squared > 0)) return 1;
+    real step = (eta - 1) * (eta + 1);
+    real inside_squared = step + cosine * cosine;  // (eta cos of refraction)^2
+    if (!(inside_squared > 0)) return step == 0 ? 0 : 1;
     real inside = sqrt(inside_squared);
-    real across = (cosine - inside) / (cosine + inside);
-    real along = (eta * eta * cosine - inside) / (eta * eta * cosine + inside);
+    real sine_squared = (1 - cosine) * (1 + cosine);
+    real across = step / square(cosine + inside);
+    real along = across * (cosine * inside - sine_squared) / (cosine * inside + sine_squared);
     return R(0.5) * (across * across + along * along);
 }
 

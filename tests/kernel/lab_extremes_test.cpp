@@ -137,6 +137,7 @@ TEST(LabExtremes, PrintedFormulasFail) {
         "rational_value(m, rational_point(m, wo, wi), wi.z) * (LOBE_DOUBLE ? 1 : R(1.00005));");
     EXPECT_FALSE(coarse.passed());
     EXPECT_GT(row_at(coarse, near_mirror, "", 1).excess, 1);
+    EXPECT_FALSE(with("LOBE_DOUBLE ? (real3)(NAN) : (real3)(wi.z);").passed());
     EXPECT_TRUE(with("rational_value(m, rational_point(m, wo, wi), wi.z);").passed());
 }
 

@@ -135,8 +135,14 @@ TEST(LabMatching, AModelWithoutASharpnessIsRefusedByName) {
         EXPECT_EQ(error.code(), ExitCode::usage);
         EXPECT_NE(std::string(error.what()).find("'lambert' has no parameter"), std::string::npos);
     }
-    EXPECT_FALSE(shaping_parameter(rational, set_up(rational.model(), {}), "kd"));
-    EXPECT_EQ(shaping_parameter(rational, set_up(rational.model(), {}), "n"), 2u);
+    using Places = std::vector<std::size_t>;
+    EXPECT_EQ(shaping_parameters(rational, set_up(rational.model(), {}), "kd"), Places());
+    EXPECT_EQ(shaping_parameters(rational, set_up(rational.model(), {}), "n"), Places({2}));
+    // Both roughnesses of an anisotropic model together, unless one is named.
+    BrdfProbe conductor = make_probe("conductor");
+    const Subject metal = set_up(conductor.model(), {});
+    EXPECT_EQ(find_sharpness(conductor, metal).name(), "alpha_x=alpha_y");
+    EXPECT_EQ(find_sharpness(conductor, metal, "alpha_x").name(), "alpha_x");
 }
 
 TEST(LabMatching, AgreesWithTheClosedForms) {

@@ -27,7 +27,8 @@ const Arrows host_arrows = {
     {"build", {"base", "scene", "build"}},
     {"render", {"base", "cl", "scene", "build", "render"}},
     {"report", {"base", "cl", "scene", "build", "render", "report"}},
-    {"app", {"base", "cl", "scene", "build", "render", "report", "app"}},
+    {"lab", {"base", "cl", "scene", "build", "render", "report", "lab"}},
+    {"app", {"base", "cl", "scene", "build", "render", "report", "lab", "app"}},
 };
 
 // The same for kernels/. A light is a shape that shines, so light knows geom.
