@@ -13,7 +13,7 @@
 #include "base/signals.h"
 #include "base/timer.h"
 #include "cl/device.h"
-#include "lab/check.h"
+#include "lab/check/check.h"
 #include "lab/parameter_sweep.h"
 
 namespace lobe {

@@ -12,7 +12,7 @@
 #include "base/log.h"
 #include "base/timer.h"
 #include "cl/device.h"
-#include "lab/extremes.h"
+#include "lab/check/extremes.h"
 
 namespace lobe {
 namespace {

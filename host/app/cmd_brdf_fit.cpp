@@ -12,8 +12,8 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/signals.h"
-#include "lab/fit.h"
-#include "lab/least_squares.h"
+#include "lab/fit/fit.h"
+#include "lab/fit/least_squares.h"
 #include "lab/parameter_sweep.h"
 #include "scene/measured_files.h"
 

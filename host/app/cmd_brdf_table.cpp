@@ -9,8 +9,8 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/signals.h"
-#include "lab/match_report.h"
-#include "lab/model_table.h"
+#include "lab/page/match_report.h"
+#include "lab/page/model_table.h"
 
 namespace lobe {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/brdf_command.h"
 #include "app/user_models.h"
 #include "cl/device.h"
-#include "lab/trial.h"
+#include "lab/trial/trial.h"
 #include "scene/user_model.h"
 
 namespace lobe {

@@ -19,7 +19,7 @@
 #include "base/progress.h"
 #include "base/signals.h"
 #include "base/timer.h"
-#include "lab/model_fault.h"
+#include "lab/trial/model_fault.h"
 #include "render/render.h"
 #include "report/image_io.h"
 #include "report/picture.h"

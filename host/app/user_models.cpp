@@ -2,7 +2,7 @@
 #include "app/user_models.h"
 
 #include "base/error.h"
-#include "lab/trial.h"
+#include "lab/trial/trial.h"
 #include "scene/user_model.h"
 
 namespace lobe {

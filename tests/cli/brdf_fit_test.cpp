@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "cli.h"
-#include "lab/least_squares.h"
+#include "lab/fit/least_squares.h"
 #include "scene/measured_files.h"
 
 using namespace lobe;

@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "base/kernel_text.h"
-#include "lab/guarded_buffer.h"
-#include "lab/trial_run.h"
+#include "lab/trial/guarded_buffer.h"
+#include "lab/trial/trial_run.h"
 #include "support/probe.h"
 
 using namespace lobe;

@@ -6,7 +6,7 @@
 #include "base/kernel_text.h"
 #include "base/random.h"
 #include "kernel/brdf_probe.h"
-#include "lab/extremes.h"
+#include "lab/check/extremes.h"
 
 using namespace lobe;
 using namespace lobe::test;
@@ -46,10 +46,10 @@ const char* const near_mirror = "near the mirror direction";
 // double's own rounding of the inputs' difference is magnified.
 TEST(LabExtremes, ReferenceIsOne) {
     LOBE_NEEDS_DOUBLE();
-    std::vector<DirectionPair> pairs = near_mirror_pairs(4000, 91);
-    for (const DirectionPair& pair : grazing_pairs(4000, 92)) pairs.push_back(pair);
+    std::vector<StiffPair> pairs = near_mirror_pairs(4000, 91);
+    for (const StiffPair& pair : grazing_pairs(4000, 92)) pairs.push_back(pair);
     std::vector<vec3l> wo, wi;
-    for (const DirectionPair& pair : pairs) {
+    for (const StiffPair& pair : pairs) {
         wo.push_back(vec3l(pair.wo));
         wi.push_back(vec3l(pair.wi));
     }
@@ -158,7 +158,7 @@ TEST(LabExtremes, StiffValues) {
 
 TEST(LabExtremes, DirectionsReachWhatTheySay) {
     double least = 1, most = 0, wo_least = 1, wi_least = 1;
-    for (const DirectionPair& p : near_mirror_pairs(2000, 1)) {
+    for (const StiffPair& p : near_mirror_pairs(2000, 1)) {
         const double apart = glm::length(glm::dvec3(-p.wo.x, -p.wo.y, p.wo.z) - p.wi);
         least = std::min(least, apart);
         most = std::max(most, apart);
@@ -166,7 +166,7 @@ TEST(LabExtremes, DirectionsReachWhatTheySay) {
     }
     EXPECT_LT(least, 1.1e-8);
     EXPECT_GT(most, 1.2);
-    for (const DirectionPair& p : grazing_pairs(2000, 1)) {
+    for (const StiffPair& p : grazing_pairs(2000, 1)) {
         EXPECT_GT(static_cast<float>(p.wo.z), 0);
         EXPECT_GT(static_cast<float>(p.wi.z), 0);
         wo_least = std::min(wo_least, p.wo.z);

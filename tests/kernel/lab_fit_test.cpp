@@ -9,8 +9,8 @@
 #include "base/kernel_text.h"
 #include "base/random.h"
 #include "base/statistics.h"
-#include "lab/fit.h"
-#include "lab/least_squares.h"
+#include "lab/fit/fit.h"
+#include "lab/fit/least_squares.h"
 #include "support/chi_square.h"
 #include "support/device.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/kernel_text.h"
-#include "lab/matching.h"
+#include "lab/measure/matching.h"
 #include "support/device.h"
 
 using namespace lobe;

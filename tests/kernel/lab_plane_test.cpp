@@ -8,9 +8,9 @@
 
 #include "base/kernel_text.h"
 #include "base/luminance.h"
-#include "lab/albedo.h"
-#include "lab/lobe_shape.h"
-#include "lab/plane.h"
+#include "lab/measure/albedo.h"
+#include "lab/measure/lobe_shape.h"
+#include "lab/measure/plane.h"
 #include "lab/settings.h"
 #include "support/device.h"
 

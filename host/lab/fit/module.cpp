@@ -8,7 +8,7 @@
 #include <cmath>
 #include <exception>
 
-#include "lab/least_squares.h"
+#include "lab/fit/least_squares.h"
 
 namespace {
 
