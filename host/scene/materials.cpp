@@ -37,10 +37,11 @@ double alpha_of(double roughness, bool remap, bool v4) {
 }
 
 MaterialRows matte(Parameters& p, const ReadContext& context) {
-    MaterialRows rows(model_table(context, "lambert"));
+    const double sigma = p.number({"sigma"}, 0);
+    p.check_range(sigma, 0, 90);
+    MaterialRows rows(model_table(context, sigma > 0 ? "oren_nayar" : "lambert"));
     rows.set("kd", reflectance(p, {"Kd", "reflectance"}, 0.5, context) / pi);
-    if (p.number({"sigma"}, 0) != 0)
-        p.refuse({"sigma"}, "Oren-Nayar is not there yet: use sigma 0");
+    if (sigma > 0) rows.set("sigma", sigma);
     p.refuse({"bumpmap", "displacement", "normalmap"});
     return rows;
 }
@@ -124,7 +125,6 @@ const std::vector<std::string> not_yet{
     "coatedconductor",
     "coateddiffuse",
     "dielectric",
-    "disney",
     "fourier",
     "glass",
     "hair",
@@ -163,10 +163,9 @@ Material read_material(const Statement& statement, const std::string& type, cons
         material.rows = read_model(parameters, table, context).rows();
         material.brdf = table.name;
     } else if (reader != readers.end()) {
-        material.rows = reader->second(parameters, context).rows();
-        material.brdf = type == "matte" || type == "diffuse" ? "lambert"
-                        : type == "metal"                    ? "conductor"
-                                                             : type;
+        const MaterialRows rows = reader->second(parameters, context);
+        material.rows = rows.rows();
+        material.brdf = rows.model();
     } else if (const BrdfTable* table = find_model(context, type)) {
         material.rows = read_model(parameters, *table, context).rows();
         material.brdf = table->name;

@@ -23,6 +23,7 @@ class MaterialRows {
   public:
     MaterialRows(const BrdfTable& table) : table_(table), rows_(table.default_rows()) {}
 
+    const std::string& model() const { return table_.name; }
     bool has(const std::string& name) const { return table_.find(name) >= 0; }
     void set(const std::string& name, const glm::dvec3& colour);
     void set(const std::string& name, double number) { set(name, glm::dvec3(number, 0, 0)); }

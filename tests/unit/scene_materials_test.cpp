@@ -43,7 +43,11 @@ TEST(Materials, MatteAndDiffuseAreLambert) {
     expect_row(material4("Material \"diffuse\""), 0, .5 / pi, .5 / pi, .5 / pi);
     expect_row(material4(""), 0, .5 / pi, .5 / pi, .5 / pi);  // before the first Material
     EXPECT_EQ(fault_of(world3("Material \"matte\" \"float sigma\" 0")), "");
-    EXPECT_FAULT(world3("Material \"matte\" \"float sigma\" 20"), "2:18", "Oren-Nayar");
+    const Material rough = material3("Material \"matte\" \"rgb Kd\" [.1 .2 .3] \"float sigma\" 20");
+    EXPECT_EQ(rough.brdf, "oren_nayar");
+    expect_row(rough, 0, .1 / pi, .2 / pi, .3 / pi);
+    expect_row(rough, 1, 20, 0, 0);
+    EXPECT_FAULT(world3("Material \"matte\" \"float sigma\" 91"), "2:32", "from 0 to 90");
 }
 
 TEST(Materials, Plastic) {
