@@ -23,7 +23,8 @@ CheckEffort CheckEffort::reduced() {
     effort.pilot = 64;
     effort.lookout = 8;
     effort.cells = 8;
-    effort.nodes = 2500;
+    effort.nodes = 10000;
+    effort.most_unresolved = 1;
     effort.resolution = 2e-2;
     effort.furnace_sets = 1;
     effort.furnace_pixels = 4;

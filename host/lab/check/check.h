@@ -22,10 +22,11 @@ struct CheckEffort {
     std::size_t directions = 48;                         // of each kind, for each set and angle
     std::size_t samples = 40000;                         // for each set and angle
     std::size_t pilot = 2048;                            // samples that shape the cells
-    std::size_t lookout = 250;   // points about each place where models have peaks
-    std::size_t cells = 96;      // of the hemisphere
-    std::size_t nodes = 300000;  // of a quadrature, at most
-    double resolution = 5e-4;    // what quadrature must reach to judge by it
+    std::size_t lookout = 250;     // points about each place where models have peaks
+    std::size_t cells = 96;        // of the hemisphere
+    std::size_t nodes = 300000;    // of a quadrature, at most
+    double most_unresolved = 0.5;  // share of cases that may be too sharp for it
+    double resolution = 5e-4;      // what quadrature must reach to judge by it
     std::size_t furnace_sets = 3;
     std::uint32_t furnace_pixels = 16, furnace_samples = 64;
     std::vector<double> furnace_angles = {20, 75};

@@ -14,8 +14,6 @@ namespace {
 
 // Cases worked on at once: enough for a launch to be worth while, few enough for memory.
 constexpr std::size_t batch = 24;
-// The share of cases that may be too sharp for quadrature to judge them.
-constexpr double most_unresolved = 0.5;
 
 // What the samples of one case said.
 struct Drawn {
@@ -33,7 +31,7 @@ class SamplingChecks {
         : context_(context), report_(report), density_("density", 3e-4), energy_("energy", 1e-4) {
         albedo_.note = "mean weight against quadrature";
         variance_.limit = 6;
-        resolved_.limit = most_unresolved;
+        resolved_.limit = effort().most_unresolved;
         resolved_.note = "share of cases too sharp for quadrature, which are not judged by it";
         variance_.note = "deviation of the weight over the albedo, or over 0.05";
         horizon_.limit = 0;
