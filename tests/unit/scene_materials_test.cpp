@@ -47,7 +47,7 @@ TEST(Materials, MatteAndDiffuseAreLambert) {
     EXPECT_EQ(rough.brdf, "oren_nayar");
     expect_row(rough, 0, .1 / pi, .2 / pi, .3 / pi);
     expect_row(rough, 1, 20, 0, 0);
-    EXPECT_FAULT(world3("Material \"matte\" \"float sigma\" 91"), "2:32", "from 0 to 90");
+    EXPECT_FAULT(world3("Material \"matte\" \"float sigma\" 91"), "2:18", "from 0 to 90");
 }
 
 TEST(Materials, Plastic) {

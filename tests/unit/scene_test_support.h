@@ -30,6 +30,8 @@ inline const std::vector<BrdfTable>& models() {
                   "P(color, kd, 0.25, 0, inf, \"\") P(color, ks, 0.25, 0, inf, \"\") "
                   "P(number, n, 100, 0, inf, \"\") "
                   "P(choice, normalize, 0, 0, 1, \"false|true: albedos\")"),
+            table("oren_nayar",
+                  "P(color, kd, 0.25, 0, inf, \"\") P(number, sigma, 20, 0, 90, \"\")"),
             table("plastic",
                   "P(color, kd, 0.25, 0, inf, \"\") P(color, ks, 0.25, 0, inf, \"\") "
                   "P(number, alpha, 0.1, 0, 10, \"\") P(number, eta, 1.5, 0.1, 10, \"\")"),
