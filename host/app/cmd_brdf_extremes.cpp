@@ -88,7 +88,7 @@ void print_legend(std::size_t pairs, bool has_reference) {
         "move by half an ulp, as rounding to float does: no float arithmetic is better. same "
         "floats:\nworst error of ours against double for the same rounded directions.\n"
         "FAIL: ours is not finite, negative, or worse than %g limits of its pair and %g.\n\n",
-        pairs, extremes_conditionings, extremes_rounding);
+        pairs, allowed_conditionings, allowed_rounding);
     if (!has_reference)
         std::printf("The device has no cl_khr_fp64: values are counted, errors are unknown.\n\n");
 }

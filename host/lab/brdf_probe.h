@@ -92,6 +92,9 @@ class BrdfProbe {
 // The text of probe/brdf.cl for a model.
 std::string brdf_probe_source(const KernelText& kernels, const BrdfTable& model);
 
+// v as floats hold it: what the device is asked, and what the host reckons with.
+inline glm::dvec3 rounded(const glm::dvec3& v) { return glm::dvec3(glm::vec3(v)); }
+
 // The defaults of a model with some parameters changed, by name; a colour takes the number in all
 // channels. Throws Error (usage) for a name that the model does not have.
 BrdfRows brdf_rows(const BrdfTable& model,

@@ -50,8 +50,6 @@ void Finding::see_p(double probability, const std::string& place) {
     where = place;
 }
 
-double Finding::least_p() const { return p.empty() ? 1 : *std::min_element(p.begin(), p.end()); }
-
 bool ModelReport::passed() const {
     return std::all_of(findings.begin(), findings.end(), [](const Finding& f) { return f.passed; });
 }

@@ -13,6 +13,10 @@ namespace lobe {
 class Device;
 class KernelText;
 
+// What float may err by: so many times the conditioning of the same inputs, a few roundings that
+// each do as much as theirs; and this part of the value, which adds up where nothing is stiff.
+constexpr double allowed_conditionings = 8, allowed_rounding = 2e-5;
+
 // How much of a model's parameters and directions is looked at.
 struct CheckEffort {
     std::size_t sets = 36;   // of parameters
@@ -53,7 +57,7 @@ struct Finding {
 
     void see(double figure, const std::string& place);
     void see_p(double probability, const std::string& place);
-    double least_p() const;  // 1 of none
+    double least_p() const { return least_; }  // 1 of none
 
   private:
     double least_ = 1;

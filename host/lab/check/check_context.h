@@ -41,9 +41,6 @@ CheckContext make_check_context(const Device& device, const KernelText& kernels,
 // The direction at an angle from the normal, as floats hold it.
 glm::dvec3 view_at(double degrees, double azimuth = 0.7);
 
-// v as floats hold it: what the device is asked, and what the host reckons with.
-inline glm::dvec3 rounded(const glm::dvec3& v) { return glm::dvec3(glm::vec3(v)); }
-
 inline double mean_channel(const glm::dvec3& v) { return (v.x + v.y + v.z) / 3; }
 
 // Samples against densities, and albedos three ways: density, chi-square, albedo, energy, variance.

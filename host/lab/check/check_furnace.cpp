@@ -9,7 +9,7 @@
 #include "base/statistics.h"
 #include "build/pack.h"
 #include "lab/check/check_context.h"
-#include "lab/hemisphere.h"
+#include "lab/measure/albedo.h"
 #include "render/render.h"
 #include "report/estimate.h"
 
@@ -37,44 +37,6 @@ Scene furnace_scene(const BrdfTable& model, const BrdfRows& rows, const glm::dve
     return scene;
 }
 
-// Luminance of the albedo by the model's own functions: quadrature of values and delta lobes.
-double reckoned_albedo(const CheckContext& context, std::uint32_t set, const glm::dvec3& wo,
-                       double* unsure) {
-    std::vector<HemisphereJob> jobs(1);
-    std::vector<PilotPoint> pilot;
-    Random random(5);
-    BrdfQuery numbers;
-    const CheckEffort& effort = context.options.effort;
-    for (std::size_t k = 0; k < effort.pilot; ++k)
-        numbers.add(set, wo,
-                    {random.uniform_float(), random.uniform_float(), random.uniform_float()});
-    jobs[0].towards = std::atan2(-wo.y, -wo.x);
-    double delta = 0;
-    for (const BrdfSampled& s : context.probe.sample(numbers)) {
-        if (s.delta) delta = luminance(glm::vec3(s.weight)) * s.pdf;
-        if (!s.delta && s.pdf > 0)
-            pilot.push_back({elevation_azimuth(s.wi, jobs[0].towards), s.pdf});
-    }
-    const HemisphereCells cells(std::move(pilot), effort.cells);
-    jobs[0].patches = cells.patches();
-    jobs[0].pilot = cells.pilot();
-    CubatureOptions cubature;
-    cubature.relative = 0.04 * effort.resolution;
-    cubature.nodes_a_job = effort.nodes;
-    const auto values_at = [&](const HemisphereNodes& nodes) {
-        BrdfQuery query;
-        for (const glm::dvec3& wi : nodes.directions) query.add(set, wo, wi);
-        std::vector<HemisphereJob::Values> values;
-        for (const BrdfValue& v : context.probe.eval(query))
-            values.push_back({v.pdf, v.f.x, v.f.y, v.f.z, 0});
-        return values;
-    };
-    integrate(jobs, values_at, cubature);
-    *unsure = jobs[0].error[2];
-    const HemisphereJob::Values& total = jobs[0].total;
-    return delta + luminance(glm::vec3(total[1], total[2], total[3]));
-}
-
 }  // namespace
 
 Finding check_furnace(CheckContext& context) {
@@ -87,11 +49,14 @@ Finding check_furnace(CheckContext& context) {
         some.push_back(k * context.sets.size() / effort.furnace_sets);
     for (const std::size_t set : some) rows.push_back(context.sets[set].rows);
     context.probe.set_parameters(rows, context.tables);
+    AlbedoEffort reckoning{effort.pilot, effort.cells, {}};
+    reckoning.cubature.relative = 0.04 * effort.resolution;
+    reckoning.cubature.nodes_a_job = effort.nodes;
     for (std::uint32_t set = 0; set < rows.size(); ++set) {
         for (const double degrees : effort.furnace_angles) {
             const glm::dvec3 wo = view_at(degrees);
-            double unsure = 0;
-            const double albedo = reckoned_albedo(context, set, wo, &unsure);
+            const Albedo reckoned = directional_albedos(context.probe, {{set, wo}}, reckoning)[0];
+            const double albedo = luminance(reckoned.value);
             PackOptions pack;
             pack.all_features = true;
             pack.models = context.options.kernel_models;
@@ -105,8 +70,8 @@ Finding check_furnace(CheckContext& context) {
             const Estimate picture = estimate(render(session, plan).film);
             const std::string place =
                 context.sets[some[set]].text + " at " + short_number(degrees) + " deg";
-            const double error =
-                std::hypot(picture.image_mean_standard_error.value_or(0), 2e-4 * albedo, unsure);
+            const double error = std::hypot(picture.image_mean_standard_error.value_or(0),
+                                            2e-4 * albedo, reckoned.error);
             if (!session.status().sound()) finding.see_p(0, place + ": the renderer trapped");
             // One degree of freedom a pixel and replicate beyond the first.
             const double freedom =

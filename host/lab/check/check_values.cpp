@@ -10,8 +10,6 @@
 namespace lobe {
 namespace {
 
-// Float's rounding of well-conditioned arithmetic of some dozen steps, relative.
-constexpr double rounding = 2e-5;
 // Below this float keeps no digits.
 constexpr double vanishing = 1e-36;
 
@@ -150,7 +148,8 @@ class ValueChecks {
 
     static double excess(double value, double exact, double conditioning) {
         const double error = std::abs(value - exact);
-        return error / (8 * conditioning + rounding * std::abs(exact) + vanishing);
+        return error / (allowed_conditionings * conditioning + allowed_rounding * std::abs(exact) +
+                        vanishing);
     }
 
     // On vectors that are unit vectors in double: a formula may take that for granted.

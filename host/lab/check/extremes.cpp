@@ -22,14 +22,6 @@ glm::dvec3 at_cosine(double z, double azimuth) {
     return {r * std::cos(azimuth), r * std::sin(azimuth), z};
 }
 
-// As floats hold it. Through memory: g++ 12.2 drops the rounding of neighbours that it makes one
-// vector of.
-glm::dvec3 as_floats(const glm::dvec3& v) {
-    volatile float held[3];
-    for (int k = 0; k < 3; ++k) held[k] = static_cast<float>(v[k]);
-    return {held[0], held[1], held[2]};
-}
-
 bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 // The largest difference of the channels, relative to the reference.
@@ -174,7 +166,7 @@ std::vector<ExtremesRow> measure_extremes(const ExtremesProbes& probes,
                                           const std::vector<BrdfRows>& sets,
                                           const std::vector<StiffPair>& pairs) {
     probes.single.set_parameters(sets, probes.tables);
-    const BrdfQuery held = make_query(sets.size(), pairs, as_floats);
+    const BrdfQuery held = make_query(sets.size(), pairs, lobe::rounded);
     const Values ours = values_of(probes.single, held);
     const bool has_formula = probes.single.model().has_formula;
     Values naive = has_formula ? probes.single.formula(held) : Values();
@@ -202,7 +194,7 @@ std::vector<ExtremesRow> measure_extremes(const ExtremesProbes& probes,
             row.arithmetic = std::max(row.arithmetic, relative_difference(ours[i], rounded[i]));
             row.excess =
                 std::max(row.excess, relative_difference(ours[i], exact[i]) /
-                                         (extremes_conditionings * limits[i] + extremes_rounding));
+                                         (allowed_conditionings * limits[i] + allowed_rounding));
         }
     }
     return rows;

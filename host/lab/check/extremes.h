@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/check/check.h"
 #include "lab/settings.h"
 
 namespace lobe {
@@ -44,10 +45,6 @@ struct ExtremesRow {
 
     bool passed() const { return ours.nonfinite == 0 && ours.negative == 0 && !(excess > 1); }
 };
-
-// Errors of ours may be 8 times the conditioning of the same pair, and 2e-5: a few roundings that
-// each do as much as those of the directions, and what adds up where nothing is stiff.
-constexpr double extremes_conditionings = 8, extremes_rounding = 2e-5;
 
 // A model in both builds; `oracle` is none on devices without cl_khr_fp64.
 struct ExtremesProbes {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lab/brdf_probe.h"
+#include "lab/hemisphere.h"
 
 namespace lobe {
 
@@ -18,9 +19,15 @@ struct Albedo {
     double error;       // how far off the cubature may be
 };
 
+struct AlbedoEffort {
+    std::size_t pilot = 2048, cells = 128;  // samples that shape the cells, and these
+    CubatureOptions cubature;
+};
+
 // The directional albedo seen from wo, for each case: the integral of f cos theta over the
 // hemisphere by adaptive cubature of the device's values, and the delta lobes' reflectance.
 std::vector<Albedo> directional_albedos(const BrdfProbe& probe,
-                                        const std::vector<AlbedoCase>& cases);
+                                        const std::vector<AlbedoCase>& cases,
+                                        const AlbedoEffort& effort = {});
 
 }  // namespace lobe
