@@ -80,10 +80,19 @@ std::vector<std::string> models_in_use(const Scene& scene) {
     return {models.begin(), models.end()};
 }
 
-std::string scene_header(const FeatureSet& features, const std::vector<BrdfTable>& models) {
+std::string scene_header(const FeatureSet& features, const std::vector<BrdfTable>& models,
+                         const Integrator& integrator) {
     std::string text = "// What this scene needs of the kernel, and no more.\n";
     for (const FeatureState& state : features)
         text += "#define LOBE_HAS_" + state.name + (state.in ? " 1\n" : " 0\n");
+    const auto choose = [&](const char* name, bool on) {
+        text += std::string("#define LOBE_") + name + (on ? " 1\n" : " 0\n");
+    };
+    choose("INDEPENDENT_NUMBERS", integrator.sampler == Integrator::Sampler::independent);
+    choose("SENDS_LIGHT", integrator.strategy != Integrator::Strategy::brdf);
+    choose("SEES_LIGHT", integrator.strategy != Integrator::Strategy::light);
+    choose("BALANCE_HEURISTIC", integrator.heuristic == Integrator::Heuristic::balance);
+    choose("COSINE_DIRECTIONS", integrator.directions == Integrator::Directions::cosine);
     text += "#define LOBE_BRDFS(X)";
     for (const BrdfTable& model : models) text += " X(" + model.name + ")";
     text += "\n";

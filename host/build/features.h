@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/brdf_table.h"
+#include "build/integrator.h"
 #include "scene/scene.h"
 
 namespace lobe {
@@ -37,6 +38,7 @@ FeatureSet all_features();
 std::vector<std::string> models_in_use(const Scene& scene);
 
 // The text of lobe_scene.h, which tells the kernel what to leave out and which models to include.
-std::string scene_header(const FeatureSet& features, const std::vector<BrdfTable>& models);
+std::string scene_header(const FeatureSet& features, const std::vector<BrdfTable>& models,
+                         const Integrator& integrator = {});
 
 }  // namespace lobe

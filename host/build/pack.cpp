@@ -192,6 +192,7 @@ std::vector<BrdfTable> tables_in_use(const Scene& scene, const std::vector<BrdfT
 PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
     PackedScene packed;
     packed.placement = place_scene(scene);
+    packed.integrator = options.integrator;
     packed.features = options.all_features ? all_features() : derive_features(scene);
     packed.models = options.all_features ? options.models : tables_in_use(scene, options.models);
     Packer(scene, packed).pack();

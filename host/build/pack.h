@@ -7,6 +7,7 @@
 
 #include "build/bvh.h"
 #include "build/features.h"
+#include "build/integrator.h"
 #include "build/light_table.h"
 #include "build/placement.h"
 #include "scene/scene.h"
@@ -17,6 +18,7 @@ namespace lobe {
 struct PackedScene {
     Placement placement;
     FeatureSet features;
+    Integrator integrator;
     std::vector<BrdfTable> models;  // a material's model is a place in this list
     Bvh bvh;
     std::vector<LobeTriangle> triangles;
@@ -34,6 +36,7 @@ struct PackedScene {
 struct PackOptions {
     std::vector<BrdfTable> models;  // all there are
     bool all_features = false;      // compile everything in, all models too
+    Integrator integrator;
 };
 
 // Throws Error (scene) for a film or a scene past what 32-bit indices can name. A model that

@@ -71,7 +71,7 @@ struct Session::Buffers {
 Session::Session(const Device& device, const KernelText& kernels, const PackedScene& scene,
                  const SessionOptions& options)
     : device_(device), options_(options), frame_(scene.frame) {
-    const std::string header = scene_header(scene.features, scene.models);
+    const std::string header = scene_header(scene.features, scene.models, scene.integrator);
     const std::string source = flatten(kernels, "render.cl", {{"lobe_scene.h", header}});
     program_ = build_program(device, source, {options.double_precision});
     render_ = program_.kernel("render");

@@ -48,7 +48,9 @@ Estimate estimate(const Film& film) {
     const auto sizes = replicate_sizes(e.samples);
     for (double size : sizes) e.replicates += size > 0;
     const bool known = film.complete() && e.replicates == LOBE_REPLICATES;
+    e.sees_light.resize(film.pixels());
     if (known) e.standard_error.resize(film.pixels() * 3);
+    if (known) e.luminance_error.resize(film.pixels());
 
     double luminance_sum = 0, variance_sum = 0, all_luminance = 0, all_variance = 0;
     for (std::size_t p = 0; p < film.pixels(); ++p) {
@@ -72,8 +74,10 @@ Estimate estimate(const Film& film) {
         const double variance = known ? variance_of_mean(light, sizes, samples) : 0;
         all_luminance += value;
         all_variance += variance;
+        if (known) e.luminance_error[p] = static_cast<float>(std::sqrt(variance));
         if (sums.emitters[p] > 0) {
             ++e.masked;
+            e.sees_light[p] = true;
             continue;
         }
         luminance_sum += value;

@@ -12,10 +12,12 @@ namespace lobe {
 
 struct Estimate {
     std::uint32_t width = 0, height = 0;
-    std::vector<float> rgb;             // 3 a pixel
-    std::vector<float> standard_error;  // 3 a pixel, of rgb; empty while unknown
-    std::uint64_t samples = 0;          // per pixel
-    unsigned replicates = 0;            // that hold samples
+    std::vector<float> rgb;              // 3 a pixel
+    std::vector<float> standard_error;   // 3 a pixel, of rgb; empty while unknown
+    std::vector<float> luminance_error;  // standard error of the luminance; empty while unknown
+    std::vector<bool> sees_light;        // pixels in which some sample saw a light directly
+    std::uint64_t samples = 0;           // per pixel
+    unsigned replicates = 0;             // that hold samples
 
     double image_mean = 0;  // luminance, over all pixels
     std::optional<double> image_mean_standard_error;

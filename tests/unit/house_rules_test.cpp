@@ -28,7 +28,8 @@ const Arrows host_arrows = {
     {"render", {"base", "cl", "scene", "build", "render"}},
     {"report", {"base", "cl", "scene", "build", "render", "report"}},
     {"lab", {"base", "cl", "scene", "build", "render", "report", "lab"}},
-    {"app", {"base", "cl", "scene", "build", "render", "report", "lab", "app"}},
+    {"study", {"base", "cl", "scene", "build", "render", "report", "lab", "study"}},
+    {"app", {"base", "cl", "scene", "build", "render", "report", "lab", "study", "app"}},
 };
 
 // The same for kernels/. A light is a shape that shines, so light knows geom.
