@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The megakernel: one work-item, one pixel, one block of samples.
+// The megakernel: one work-item, one pixel of a tile, one block of samples.
 #include "lobe_scene.h"
 
 #include "path/camera.h"
@@ -60,20 +60,25 @@ kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
                    global const LobeSurface* surfaces, global const LobeMaterial* materials,
                    global const uchar* prepared, global const LobeLight* lights,
                    global const float* light_sums, global const float* tables,
-                   global const float* filter, global LobeBlockSum* sums, global uint* status) {
-    uint x = get_global_id(0), y = get_global_id(1);
-    if (x >= frame->window_width || y >= frame->rows) return;
+                   global const float* filter, global const LobeTileJob* jobs,
+                   global LobeBlockSum* sums, global uint* status) {
+    uint slot = get_global_id(1) / LOBE_TILE;
+    uint2 place = (uint2)(get_global_id(0), get_global_id(1) % LOBE_TILE);
+    if (place.x >= LOBE_TILE || slot >= frame->tiles) return;
+    LobeTileJob job = jobs[slot];
+    uint2 corner = (uint2)(job.tile % frame->tiles_across, job.tile / frame->tiles_across);
+    uint2 window = corner * LOBE_TILE + place;
+    if (window.x >= frame->window_width || window.y >= frame->window_height) return;
     Scene scene = {{nodes, triangle_leaves, sphere_leaves},
                    {triangles, vertices, spheres, surfaces, frame->triangles},
                    {lights, light_sums, frame->lights},
                    materials,
                    prepared,
                    tables};
-    uint2 pixel = (uint2)(frame->window_x + x, frame->window_y + frame->first_row + y);
+    uint2 pixel = (uint2)(frame->window_x, frame->window_y) + window;
     uint number = pixel.y * frame->film_width + pixel.x;
     LobeBlockSum sum[LOBE_REPLICATES] = {{0, 0, 0, 0}};
-    for (uint sample = frame->first_sample; sample < frame->first_sample + frame->samples;
-         ++sample) {
+    for (uint sample = job.first_sample; sample < job.first_sample + frame->samples; ++sample) {
         Sampler sampler = make_sampler((uint2)(frame->seed0, frame->seed1), number, sample);
         real weight;
         real2 film =
@@ -85,7 +90,7 @@ kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
         add_sample(&sum[sample % LOBE_REPLICATES], radiance, weight, emitter, status, number,
                    sample);
     }
-    ulong out = ((ulong)y * frame->window_width + x) * LOBE_REPLICATES;
+    ulong out = ((ulong)get_global_id(1) * LOBE_TILE + place.x) * LOBE_REPLICATES;
     for (uint i = 0; i < LOBE_REPLICATES; ++i) sums[out + i] = sum[i];
 }
 

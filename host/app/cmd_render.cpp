@@ -79,7 +79,7 @@ std::string standard_output_name(const Scene& scene) {
 class RenderWatch {
   public:
     void operator()(const RenderProgress& progress) {
-        if (progress.block_ended && !is_quiet() && since_error_.seconds() > pause_) {
+        if (progress.round_ended && !is_quiet() && since_error_.seconds() > pause_) {
             const Stopwatch watch;
             error_ = "error " + error_text(estimate(progress.film));
             pause_ = std::max(1.0, 30 * watch.seconds());
@@ -215,15 +215,16 @@ struct Job {
     const Film* film = nullptr;  // complete blocks
     Stopwatch rendering;
 
-    RenderOutcome render_watched(Session& ready, const RenderPlan& plan) {
+    RenderOutcome render_watched(Session& ready, RenderPlan& plan) {
         session = &ready;
         RenderWatch shown;
-        const auto progress = [&](const RenderProgress& p) {
+        plan.progress = [&](const RenderProgress& p) {
             film = &p.film;
             shown(p);
         };
         rendering.restart();
-        return render(ready, plan, progress, [] { return stop_signal() != 0; });
+        plan.stop = [] { return stop_signal() != 0; };
+        return render(ready, plan);
     }
 
     void take(const Film& rendered, double seconds, bool stopped) {
@@ -253,7 +254,7 @@ struct Job {
         show_live_line("");
         std::string hint = "nothing was complete, nothing is written";
         try {
-            if (film && film->samples()) {
+            if (film && film->samples() > 0) {
                 take(*film, rendering.seconds(), true);
                 write();
                 hint = "the picture of the samples before it is written";
@@ -300,7 +301,7 @@ int run(const Options& options) {
     job.take(outcome.film, outcome.seconds, outcome.stopped);
     report.status = session->status();
     warn_of_status(*report.status);
-    if (report.picture.samples == 0) return stopped_early();  // not worth the old picture
+    if (report.picture.mean_samples == 0) return stopped_early();  // not worth the old picture
     job.write();
     session->keep_program();
     if (report.partial) return stop_exit_code();

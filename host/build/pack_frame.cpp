@@ -34,6 +34,7 @@ void pack_film(const FilmSettings& film, LobeFrame& frame) {
     if (x1 <= frame.window_x || y1 <= frame.window_y)
         throw Error(ExitCode::scene, "the crop window holds no pixel");
     frame.window_width = x1 - frame.window_x;
+    frame.tiles_across = (frame.window_width + LOBE_TILE - 1) / LOBE_TILE;
     frame.window_height = y1 - frame.window_y;
 }
 

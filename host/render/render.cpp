@@ -9,101 +9,135 @@
 namespace lobe {
 namespace {
 
-// How many rows the next launch gets, so that launches last about as long as asked.
+// How many tiles the next launch gets, so that launches last about as long as asked.
 class LaunchSize {
   public:
     LaunchSize(const Session& session, const RenderPlan& plan)
-        : grain_(session.row_grain()),
-          most_(session.max_rows()),
+        : most_(session.max_tiles()),
           seconds_(plan.launch_seconds),
-          fixed_(plan.rows_per_launch) {}
+          fixed_(plan.tiles_per_launch) {}
 
-    std::uint32_t rows() const { return fixed_ ? std::min(fixed_, most_) : rows_; }
+    std::uint32_t tiles() const { return std::min(fixed_ ? fixed_ : tiles_, most_); }
 
-    void took(std::uint32_t rows, std::uint32_t samples, double seconds) {
-        // The first launch may carry the compilation: one row, and its time is not counted.
-        if (++launches_ == 1) rows_ = std::clamp(grain_, 1u, most_);
-        if (launches_ == 1 || seconds <= 0) return;
-        const double per_row = seconds / (static_cast<double>(rows) * samples) * LOBE_BLOCK;
-        const double wanted = std::min(seconds_ / per_row, 4.0 * rows_);  // grow step by step
-        const double rounded = std::ceil(wanted / grain_) * grain_;
-        rows_ = static_cast<std::uint32_t>(std::clamp<double>(rounded, 1, most_));
+    void took(std::uint32_t tiles, std::uint32_t samples, double seconds) {
+        // The first launch may carry the compilation: its time is not counted.
+        if (++launches_ == 1 || seconds <= 0) return;
+        const double per_tile = seconds / (static_cast<double>(tiles) * samples) * LOBE_BLOCK;
+        const double wanted = std::min(seconds_ / per_tile, 4.0 * tiles_);  // grow step by step
+        tiles_ = static_cast<std::uint32_t>(std::clamp<double>(std::ceil(wanted), 1, most_));
     }
 
   private:
-    std::uint32_t grain_, most_;
+    std::uint32_t most_;
     double seconds_;
-    std::uint32_t fixed_, rows_ = 1;
+    std::uint32_t fixed_, tiles_ = 1;
     unsigned launches_ = 0;
 };
 
-// One render in the making: what its blocks share.
-struct Work {
-    Session& session;
-    const RenderPlan& plan;
-    const std::function<void(const RenderProgress&)>& progress;
-    const std::function<bool()>& stop;
-    LaunchSize size;
-    std::vector<LobeBlockSum> sums;
-    RenderOutcome outcome;
+// One render in the making: what its rounds share.
+class Work {
+  public:
+    Work(Session& session, const RenderPlan& plan)
+        : session_(session),
+          plan_(plan),
+          size_(session, plan),
+          outcome_{Film(session.width(), session.height())} {}
 
-    void report(double rows, std::uint32_t first, std::uint32_t samples, bool block_ended) {
-        if (!progress) return;
-        const double width = session.width(), height = session.height();
-        progress({width * (height * first + rows * samples), width * height * plan.samples,
-                  outcome.film, block_ended});
+    RenderOutcome run() {
+        const Stopwatch watch;
+        Film& film = outcome_.film;
+        for (std::uint32_t taken = 0; taken < plan_.samples && !outcome_.stopped;) {
+            const std::uint32_t wanted = std::min<std::uint32_t>(LOBE_BLOCK, plan_.samples - taken);
+            const std::uint32_t samples =
+                plan_.next_samples ? std::min(plan_.next_samples(film, wanted), wanted) : wanted;
+            if (samples == 0) break;
+            const std::size_t whole = render_round(taken, samples);
+            // The film ends at the last whole round, if there is one.
+            if (whole == jobs_.size() || taken == 0)
+                for (std::size_t i = 0; i < whole; ++i)
+                    film.add_tile(jobs_[i].tile, &sums_[i * Session::tile_sums], samples);
+            taken += samples;
+            if (whole == jobs_.size()) report(taken, 0, samples, true);
+            if (samples < LOBE_BLOCK) break;
+        }
+        outcome_.seconds = watch.seconds();
+        return std::move(outcome_);
     }
 
-    // Samples [first, first + samples) of all rows, or of those before a stop. Returns how many
-    // rows.
-    std::uint32_t render_block(std::uint32_t first, std::uint32_t samples) {
-        const std::size_t row_sums = static_cast<std::size_t>(session.width()) * LOBE_REPLICATES;
-        std::uint32_t row = 0;
-        while (row < session.height()) {
-            outcome.stopped = stop && stop();
-            if (outcome.stopped) break;
-            const std::uint32_t rows = std::min(size.rows(), session.height() - row);
+  private:
+    // The blocks that tiles take while the mean goes from `taken` to `taken + samples`: at least
+    // one in the first round, and as many in all as their rates ask.
+    void list_jobs(std::uint32_t taken, std::uint32_t samples) {
+        jobs_.clear();
+        for (std::uint32_t t = 0; t < outcome_.film.tiles(); ++t) {
+            const std::uint32_t done = outcome_.film.tile_samples(t);
+            std::uint32_t due = taken + samples;
+            if (!plan_.rates.empty() && samples == LOBE_BLOCK)
+                due = LOBE_BLOCK *
+                      std::max<std::uint32_t>(1, std::lround(plan_.rates[t] * due / LOBE_BLOCK));
+            if (!plan_.rates.empty() && samples < LOBE_BLOCK) due = done + samples;
+            for (std::uint32_t first = done; first < due; first += LOBE_BLOCK)
+                jobs_.push_back({t, first});
+        }
+        sums_.resize(jobs_.size() * Session::tile_sums);
+    }
+
+    // Returns how many jobs were done before a stop.
+    std::size_t render_round(std::uint32_t taken, std::uint32_t samples) {
+        list_jobs(taken, samples);
+        std::size_t done = 0;
+        while (done < jobs_.size()) {
+            outcome_.stopped = plan_.stop && plan_.stop();
+            if (outcome_.stopped) break;
+            const auto count = static_cast<std::uint32_t>(
+                std::min<std::size_t>(size_.tiles(), jobs_.size() - done));
+            const double tile_pixels = LOBE_TILE * LOBE_TILE;
             const Stopwatch launch;
             {
-                const Watchdog::Launch watched(plan.watchdog,
-                                               double{rows} * session.width() * samples);
-                session.render_rows(first, samples, row, rows, sums.data() + row * row_sums);
+                const Watchdog::Launch watched(plan_.watchdog, tile_pixels * count * samples);
+                session_.render_tiles(&jobs_[done], count, samples,
+                                      &sums_[done * Session::tile_sums]);
             }
-            size.took(rows, samples, launch.seconds());
-            row += rows;
-            if (row < session.height()) report(row, first, samples, false);
+            size_.took(count, samples, launch.seconds());
+            done += count;
+            if (done < jobs_.size()) report(taken, done, samples, false);
         }
-        return row;
+        return done;
     }
+
+    void report(std::uint32_t taken, std::size_t jobs, std::uint32_t samples, bool round_ended) {
+        if (!plan_.progress) return;
+        const auto pixels = static_cast<double>(outcome_.film.pixels());
+        const double part = round_ended ? 0 : static_cast<double>(jobs) / jobs_.size() * samples;
+        plan_.progress(
+            {pixels * (taken + part), pixels * plan_.samples, outcome_.film, round_ended});
+    }
+
+    Session& session_;
+    const RenderPlan& plan_;
+    LaunchSize size_;
+    std::vector<LobeTileJob> jobs_;
+    std::vector<LobeBlockSum> sums_;  // Session::tile_sums a job
+    RenderOutcome outcome_;
 };
 
 }  // namespace
 
-RenderOutcome render(Session& session, const RenderPlan& plan,
-                     const std::function<void(const RenderProgress&)>& progress,
-                     const std::function<bool()>& stop) {
+RenderOutcome render(Session& session, const RenderPlan& plan) { return Work(session, plan).run(); }
+
+double measure_pace(Session& session) {
+    const Film film(session.width(), session.height());
+    constexpr std::uint32_t most = 64;
+    std::vector<LobeTileJob> jobs;
+    const std::uint32_t step = std::max(1u, film.tiles() / std::min(most, session.max_tiles()));
+    for (std::uint32_t t = 0; t < film.tiles() && jobs.size() < session.max_tiles(); t += step)
+        jobs.push_back({t, 0});
+    std::vector<LobeBlockSum> sums(jobs.size() * Session::tile_sums);
+    const auto count = static_cast<std::uint32_t>(jobs.size());
+    session.render_tiles(jobs.data(), 1, 1, sums.data());  // the first launch may compile
     const Stopwatch watch;
-    const std::size_t pixels = static_cast<std::size_t>(session.width()) * session.height();
-    Work work{session,
-              plan,
-              progress,
-              stop,
-              LaunchSize(session, plan),
-              std::vector<LobeBlockSum>(pixels * LOBE_REPLICATES),
-              RenderOutcome{Film(session.width(), session.height())}};
-    Film& film = work.outcome.film;
-    for (std::uint32_t first = 0; first < plan.samples && !work.outcome.stopped;
-         first += LOBE_BLOCK) {
-        const std::uint32_t samples = std::min<std::uint32_t>(LOBE_BLOCK, plan.samples - first);
-        const std::uint32_t rows = work.render_block(first, samples);
-        const bool whole = rows == session.height();
-        if (!whole && (first > 0 || rows == 0)) break;  // the film ends at the last whole block
-        film.add_block(work.sums, samples);
-        if (!whole) film.mark_incomplete();
-        if (whole) work.report(rows, first, samples, true);
-    }
-    work.outcome.seconds = watch.seconds();
-    return std::move(work.outcome);
+    session.render_tiles(jobs.data(), count, 1, sums.data());
+    return watch.seconds() * film.tiles() / count;
 }
 
 }  // namespace lobe

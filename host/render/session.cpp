@@ -14,16 +14,20 @@ namespace lobe {
 namespace {
 
 // A launch's sums stay below this, so that large films need no large buffer.
-constexpr std::size_t sums_bytes = 256u << 20;
+constexpr std::size_t sums_bytes = 64u << 20;
 // PoCL compiles anew for grids of 65,536 and more.
 constexpr std::uint32_t grid_limit = 65528;
 
 unsigned round_up(unsigned value, unsigned grain) { return (value + grain - 1) / grain * grain; }
 
+std::uint32_t tile_count(const LobeFrame& frame) {
+    return frame.tiles_across * ((frame.window_height + LOBE_TILE - 1) / LOBE_TILE);
+}
+
 }  // namespace
 
 struct Session::Buffers {
-    Buffers(const Device& d, const PackedScene& s, std::size_t sum_count)
+    Buffers(const Device& d, const PackedScene& s, std::size_t tiles)
         : frame(d, std::size_t{1}, "frame"),
           nodes(d, s.bvh.nodes, "hierarchy"),
           triangle_leaves(d, s.bvh.triangle_leaves, "triangle leaves"),
@@ -39,7 +43,8 @@ struct Session::Buffers {
           light_sums(d, s.lights.sums, "light table"),
           tables(d, s.tables, "measured reflectance"),
           filter(d, s.filter_nodes, "filter table"),
-          sums(d, sum_count, "film"),
+          jobs(d, tiles, "tiles"),
+          sums(d, tiles * tile_sums, "film"),
           status(d, std::vector<cl_uint>(LOBE_STATUS_COUNT, 0), "status") {}
 
     Buffer<LobeFrame> frame;
@@ -57,6 +62,7 @@ struct Session::Buffers {
     Buffer<cl_float> light_sums;
     Buffer<cl_float> tables;
     Buffer<cl_float> filter;
+    Buffer<LobeTileJob> jobs;
     Buffer<LobeBlockSum> sums;
     Buffer<cl_uint> status;
 
@@ -64,7 +70,8 @@ struct Session::Buffers {
         return frame.bytes() + nodes.bytes() + triangle_leaves.bytes() + sphere_leaves.bytes() +
                triangles.bytes() + vertices.bytes() + spheres.bytes() + surfaces.bytes() +
                materials.bytes() + rows.bytes() + prepared.bytes() + lights.bytes() +
-               light_sums.bytes() + tables.bytes() + filter.bytes() + sums.bytes() + status.bytes();
+               light_sums.bytes() + tables.bytes() + filter.bytes() + jobs.bytes() + sums.bytes() +
+               status.bytes();
     }
 };
 
@@ -84,20 +91,16 @@ Session::~Session() = default;
 
 void Session::upload(const PackedScene& scene) {
     const Stopwatch watch;
-    const std::size_t row_sums = static_cast<std::size_t>(width()) * LOBE_REPLICATES;
     const std::size_t limit = std::min<std::size_t>(sums_bytes, device_.info().largest_allocation) /
-                              (row_sums * sizeof(LobeBlockSum));
-    max_rows_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(limit, 1, height()));
-    max_rows_ = std::min(max_rows_, grid_limit);
-    if (width() > grid_limit)
-        throw Error(ExitCode::device, "the film is " + std::to_string(width()) + " pixels wide", "",
-                    "render it in parts with --crop");
-    buffers_ = std::make_unique<Buffers>(device_, scene, max_rows_ * row_sums);
+                              (tile_sums * sizeof(LobeBlockSum));
+    max_tiles_ = static_cast<std::uint32_t>(
+        std::clamp<std::size_t>(limit, 1, std::min(grid_limit / LOBE_TILE, tile_count(frame_))));
+    buffers_ = std::make_unique<Buffers>(device_, scene, max_tiles_);
     prepare_materials(scene.materials.size());
     Buffers& b = *buffers_;
     set_args(render_, b.frame, b.nodes, b.triangle_leaves, b.sphere_leaves, b.triangles, b.vertices,
              b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_sums, b.tables,
-             b.filter, b.sums, b.status);
+             b.filter, b.jobs, b.sums, b.status);
     upload_seconds_ = watch.seconds();
 }
 
@@ -113,7 +116,7 @@ void Session::fit_work_group() {
 // the time of the render.
 void Session::warm_up() {
     const Stopwatch watch;
-    frame_.rows = 0;
+    frame_.tiles = 0;
     buffers_->frame.write(&frame_, 1);
     const auto [x, y] = options_.local;
     launch(device_, render_, cl::NDRange(x, y), cl::NDRange(x, y));
@@ -136,17 +139,16 @@ void Session::set_seed(std::uint64_t seed) {
     frame_.seed1 = static_cast<LobeUint>(seed >> 32);
 }
 
-void Session::render_rows(std::uint32_t first_sample, std::uint32_t samples,
-                          std::uint32_t first_row, std::uint32_t rows, LobeBlockSum* sums) {
-    frame_.first_sample = first_sample;
+void Session::render_tiles(const LobeTileJob* jobs, std::uint32_t count, std::uint32_t samples,
+                           LobeBlockSum* sums) {
+    frame_.tiles = count;
     frame_.samples = samples;
-    frame_.first_row = first_row;
-    frame_.rows = rows;
     buffers_->frame.write(&frame_, 1);
+    buffers_->jobs.write(jobs, count);
     const auto [x, y] = options_.local;
-    launch(device_, render_, cl::NDRange(round_up(width(), x), round_up(rows, y)),
+    launch(device_, render_, cl::NDRange(round_up(LOBE_TILE, x), round_up(LOBE_TILE * count, y)),
            cl::NDRange(x, y));
-    buffers_->sums.read(sums, static_cast<std::size_t>(rows) * width() * LOBE_REPLICATES);
+    buffers_->sums.read(sums, count * tile_sums);
 }
 
 RenderStatus Session::status() const {

@@ -45,15 +45,15 @@ class Session {
     std::uint32_t width() const { return frame_.window_width; }
     std::uint32_t height() const { return frame_.window_height; }
 
-    // Samples [first_sample, first_sample + samples) of rows [first_row, first_row + rows), all of
-    // one block of LOBE_BLOCK. Writes rows * width() * LOBE_REPLICATES sums. One launch; waits.
-    void render_rows(std::uint32_t first_sample, std::uint32_t samples, std::uint32_t first_row,
-                     std::uint32_t rows, LobeBlockSum* sums);
+    // The next `samples` samples, at most LOBE_BLOCK, of `count` tiles, at most max_tiles(), each
+    // from its own first sample. Writes tile_sums sums a job, row by row; those of a tile's pixels
+    // outside the window are undefined. One launch; waits.
+    void render_tiles(const LobeTileJob* jobs, std::uint32_t count, std::uint32_t samples,
+                      LobeBlockSum* sums);
+    static constexpr std::size_t tile_sums = LOBE_TILE * LOBE_TILE * LOBE_REPLICATES;
 
-    // Most rows that one launch may have.
-    std::uint32_t max_rows() const { return max_rows_; }
-    // Rows of a launch are best a multiple of this.
-    std::uint32_t row_grain() const { return options_.local[1]; }
+    // Most tiles that one launch may have.
+    std::uint32_t max_tiles() const { return max_tiles_; }
 
     RenderStatus status() const;
     // Building the program and its first, empty launch.
@@ -78,7 +78,7 @@ class Session {
     Program program_;
     cl::Kernel render_;
     std::unique_ptr<Buffers> buffers_;
-    std::uint32_t max_rows_ = 0;
+    std::uint32_t max_tiles_ = 0;
     double upload_seconds_ = 0, warm_up_seconds_ = 0;
 };
 

@@ -1,38 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/estimate.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "base/luminance.h"
 #include "base/sha256.h"
+#include "base/statistics.h"
 
 namespace lobe {
 namespace {
 
-// Samples with index r modulo LOBE_REPLICATES among `samples`.
-std::array<double, LOBE_REPLICATES> replicate_sizes(std::uint64_t samples) {
-    std::array<double, LOBE_REPLICATES> sizes{};
-    for (unsigned r = 0; r < LOBE_REPLICATES; ++r)
-        sizes[r] = static_cast<double>((samples + LOBE_REPLICATES - 1 - r) / LOBE_REPLICATES);
-    return sizes;
-}
+// One pixel's sums, by replicate. Sample s belongs to replicate s % LOBE_REPLICATES.
+class PixelSums {
+  public:
+    static constexpr int luminance = 3;  // the channel after red, green and blue
 
-// Variance of the mean over all samples, from the replicates' sums of one quantity: the spread of
-// their means, weighed by their sizes, over the number of samples.
-double variance_of_mean(const std::array<double, LOBE_REPLICATES>& sums,
-                        const std::array<double, LOBE_REPLICATES>& sizes, double samples) {
-    double total = 0;
-    for (double sum : sums) total += sum;
-    const double mean = total / samples;
-    double spread = 0;
-    for (unsigned r = 0; r < LOBE_REPLICATES; ++r) {
-        const double difference = sums[r] / sizes[r] - mean;
-        spread += sizes[r] * difference * difference;
+    PixelSums(const double* sums, std::uint32_t samples) : samples_(samples) {
+        for (unsigned r = 0; r < LOBE_REPLICATES; ++r) {
+            sizes_[r] = static_cast<double>((samples + LOBE_REPLICATES - 1 - r) / LOBE_REPLICATES);
+            for (int c = 0; c < 3; ++c) sums_[c][r] = sums[3 * r + c];
+            sums_[luminance][r] = lobe::luminance(sums + 3 * r);
+        }
     }
-    return spread / (LOBE_REPLICATES - 1) / samples;
-}
+
+    double mean(int channel) const {
+        double total = 0;
+        for (const double sum : sums_[channel]) total += sum;
+        return total / samples_;
+    }
+
+    // Of the mean: the spread of the replicates' means, weighed by their sizes, over the number of
+    // samples. LOBE_REPLICATES - 1 degrees of freedom; every replicate must have a sample.
+    double variance(int channel) const {
+        const double middle = mean(channel);
+        double spread = 0;
+        for (unsigned r = 0; r < LOBE_REPLICATES; ++r) {
+            const double difference = sums_[channel][r] / sizes_[r] - middle;
+            spread += sizes_[r] * difference * difference;
+        }
+        return spread / (LOBE_REPLICATES - 1) / samples_;
+    }
+
+  private:
+    double samples_;
+    std::array<double, LOBE_REPLICATES> sizes_;
+    std::array<std::array<double, LOBE_REPLICATES>, 4> sums_;
+};
 
 }  // namespace
 
@@ -41,37 +58,26 @@ Estimate estimate(const Film& film) {
     Estimate e;
     e.width = film.width();
     e.height = film.height();
-    e.samples = sums.samples;
+    e.samples = film.samples();
+    e.mean_samples = film.mean_samples();
     e.rgb.assign(film.pixels() * 3, 0.0f);
-    if (e.samples == 0) return e;
-    const double samples = static_cast<double>(e.samples);
-    const auto sizes = replicate_sizes(e.samples);
-    for (double size : sizes) e.replicates += size > 0;
-    const bool known = film.complete() && e.replicates == LOBE_REPLICATES;
     e.sees_light.resize(film.pixels());
+    e.sample_counts = sums.samples;
+    e.replicates = std::min<std::uint32_t>(e.samples, LOBE_REPLICATES);
+    const bool known = e.replicates == LOBE_REPLICATES;
     if (known) e.standard_error.resize(film.pixels() * 3);
     if (known) e.luminance_error.resize(film.pixels());
 
-    double luminance_sum = 0, variance_sum = 0, all_luminance = 0, all_variance = 0;
+    double luminance_sum = 0, variance_sum = 0, square_sum = 0, all_luminance = 0, all_variance = 0;
     for (std::size_t p = 0; p < film.pixels(); ++p) {
-        const double* pixel = &sums.radiance[p * LOBE_REPLICATES * 3];
-        std::array<double, LOBE_REPLICATES> light{};
-        double total[3] = {0, 0, 0};
-        for (unsigned r = 0; r < LOBE_REPLICATES; ++r) {
-            for (int c = 0; c < 3; ++c) total[c] += pixel[3 * r + c];
-            light[r] = luminance(pixel + 3 * r);
-        }
-        for (int c = 0; c < 3; ++c) e.rgb[3 * p + c] = static_cast<float>(total[c] / samples);
-        if (known) {
-            for (int c = 0; c < 3; ++c) {
-                std::array<double, LOBE_REPLICATES> channel{};
-                for (unsigned r = 0; r < LOBE_REPLICATES; ++r) channel[r] = pixel[3 * r + c];
-                e.standard_error[3 * p + c] =
-                    static_cast<float>(std::sqrt(variance_of_mean(channel, sizes, samples)));
-            }
-        }
-        const double value = luminance(total) / samples;
-        const double variance = known ? variance_of_mean(light, sizes, samples) : 0;
+        if (sums.samples[p] == 0) continue;
+        const PixelSums pixel(&sums.radiance[p * LOBE_REPLICATES * 3], sums.samples[p]);
+        for (int c = 0; c < 3; ++c) e.rgb[3 * p + c] = static_cast<float>(pixel.mean(c));
+        if (known)
+            for (int c = 0; c < 3; ++c)
+                e.standard_error[3 * p + c] = static_cast<float>(std::sqrt(pixel.variance(c)));
+        const double value = pixel.mean(PixelSums::luminance);
+        const double variance = known ? pixel.variance(PixelSums::luminance) : 0;
         all_luminance += value;
         all_variance += variance;
         if (known) e.luminance_error[p] = static_cast<float>(std::sqrt(variance));
@@ -82,6 +88,7 @@ Estimate estimate(const Film& film) {
         }
         luminance_sum += value;
         variance_sum += variance;
+        square_sum += variance * variance;
     }
     const auto all = static_cast<double>(film.pixels());
     e.image_mean = all_luminance / all;
@@ -89,11 +96,18 @@ Estimate estimate(const Film& film) {
     const double counted = static_cast<double>(film.pixels() - e.masked);
     if (counted == 0) return e;
     e.mean = luminance_sum / counted;
-    if (known) {
-        e.mean_standard_error = std::sqrt(variance_sum) / counted;
-        if (e.mean > 0) e.relative_standard_error = std::sqrt(variance_sum / counted) / e.mean;
-    }
+    if (!known) return e;
+    e.mean_standard_error = std::sqrt(variance_sum) / counted;
+    e.mean_square_error = variance_sum / counted;
+    e.mean_square_error_deviation = std::sqrt(square_sum) / counted;
+    if (e.mean > 0) e.relative_standard_error = std::sqrt(e.mean_square_error) / e.mean;
     return e;
+}
+
+double relative_error_bound(const Estimate& e, double confidence) {
+    if (!e.relative_standard_error) return std::numeric_limits<double>::infinity();
+    const double spread = normal_quantile(confidence) * e.mean_square_error_deviation;
+    return std::sqrt(e.mean_square_error + spread) / e.mean;
 }
 
 std::string image_hash(const Estimate& picture) {

@@ -16,8 +16,10 @@ struct Estimate {
     std::vector<float> standard_error;   // 3 a pixel, of rgb; empty while unknown
     std::vector<float> luminance_error;  // standard error of the luminance; empty while unknown
     std::vector<bool> sees_light;        // pixels in which some sample saw a light directly
-    std::uint64_t samples = 0;           // per pixel
-    unsigned replicates = 0;             // that hold samples
+    std::vector<std::uint32_t> sample_counts;  // of each pixel
+    std::uint32_t samples = 0;                 // that every pixel has at least
+    double mean_samples = 0;                   // per pixel
+    unsigned replicates = 0;                   // that hold samples
 
     double image_mean = 0;  // luminance, over all pixels
     std::optional<double> image_mean_standard_error;
@@ -27,10 +29,17 @@ struct Estimate {
     std::size_t masked = 0;                         // pixels left out
     double mean = 0;                                // luminance
     std::optional<double> mean_standard_error;      // of that mean
-    std::optional<double> relative_standard_error;  // sqrt(mean squared standard error) / mean
+    std::optional<double> relative_standard_error;  // sqrt(mean_square_error) / mean
+    // Mean over those pixels of the squared standard error of luminance, and the standard deviation
+    // of that mean: an upper estimate, from the squares' own squares.
+    double mean_square_error = 0, mean_square_error_deviation = 0;
 };
 
 Estimate estimate(const Film& film);
+
+// What the relative standard error is below with so much confidence (0.95, say); infinity while it
+// is unknown.
+double relative_error_bound(const Estimate& picture, double confidence);
 
 // SHA-256 of the float32 rows R, G, B.
 std::string image_hash(const Estimate& picture);

@@ -46,8 +46,7 @@ Json seconds_json(const RenderTimes& t) {
 }
 
 double samples_per_second(const RenderReport& r) {
-    const double samples =
-        static_cast<double>(r.width) * r.height * static_cast<double>(r.picture.samples);
+    const double samples = static_cast<double>(r.width) * r.height * r.picture.mean_samples;
     return r.seconds.render > 0 ? samples / r.seconds.render : 0;
 }
 

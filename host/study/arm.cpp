@@ -57,7 +57,8 @@ ArmRun Arm::run(std::uint64_t seed, std::uint32_t samples, const std::function<b
     session_->set_seed(seed);
     RenderPlan plan;
     plan.samples = samples;
-    const RenderOutcome outcome = render(*session_, plan, {}, stop);
+    plan.stop = stop;
+    const RenderOutcome outcome = render(*session_, plan);
     if (session_->status().trapped())
         throw Error(ExitCode::internal, "the kernel needed what was compiled out", name_,
                     "render with --features all and report this as a fault of lobe");

@@ -14,16 +14,21 @@
 // Float sums in the kernel cover aligned blocks of this many sample indices; the host adds blocks.
 #define LOBE_BLOCK 8
 
+// The film is cut into square tiles of so many pixels a side. A launch renders a list of them, each
+// with its own samples, so that noisy parts can have more.
+#define LOBE_TILE 16
+
 // Nodes of the table of each axis of the pixel filter (the inverse of its cumulative distribution,
 // see path/camera.h).
 #define LOBE_FILTER_NODES 1025
 
 typedef struct LobeFrame {
-    // film: full size, the rendered window's corner and size, first row of this launch within it
+    // film: full size, the rendered window's corner and size; tiles across the window
     LobeUint film_width, film_height, window_x, window_y;
-    LobeUint window_width, window_height, first_row, rows;
-    // samples [first_sample, first_sample + samples) of one block; two words of seed
-    LobeUint first_sample, samples, seed0, seed1;
+    LobeUint window_width, window_height, tiles_across;
+    // this launch: so many tiles, so many samples of one block in each; two words of seed
+    LobeUint tiles;
+    LobeUint samples, seed0, seed1, pad0;
     LobeUint max_depth, triangles, lights;
     LobeUint filter_table;  // 1: the filter is sampled by its table, 0: it is a box
     // camera in render space: a film point (x, y) in pixels looks along corner + x dx + y dy
@@ -40,6 +45,12 @@ typedef struct LobeFrame {
     float environment_r, environment_g, environment_b, pad7;
 } LobeFrame;
 LOBE_ASSERT_SIZE(LobeFrame, 192);
+
+// One tile of a launch and the first of its samples: a multiple of LOBE_BLOCK.
+typedef struct LobeTileJob {
+    LobeUint tile, first_sample, pad0, pad1;
+} LobeTileJob;
+LOBE_ASSERT_SIZE(LobeTileJob, 16);
 
 // One pixel's block: for each replicate the sum of radiance over its samples, and in w how many
 // of them saw a light directly (an exact count).

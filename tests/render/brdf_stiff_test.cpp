@@ -53,7 +53,7 @@ bool all_finite(const Picture& picture) {
 // The mean of a - b, two pictures of the same random numbers, with its standard error.
 MeanOf mean_of_difference(const Picture& a, const Picture& b) {
     const FilmSums x = a.film.sums(), y = b.film.sums();
-    const double each = double(x.samples) / LOBE_REPLICATES;
+    const double each = double(x.samples[0]) / LOBE_REPLICATES;
     MeanOf result;
     double squares = 0;
     const std::size_t pixels = x.radiance.size() / (3 * LOBE_REPLICATES);

@@ -45,9 +45,9 @@ TEST(Determinism, LaunchesChangeNothing) {
     const Scene scene = busy_scene(37, true);
     PictureOptions options = short_render();
     const std::string first = render_picture(scene, options).hash;
-    for (const std::uint32_t rows : {1u, 7u, 37u, 64u}) {
-        options.rows_per_launch = rows;
-        EXPECT_EQ(render_picture(scene, options).hash, first) << rows << " rows a launch";
+    for (const std::uint32_t tiles : {1u, 2u, 5u, 9u, 64u}) {
+        options.tiles_per_launch = tiles;
+        EXPECT_EQ(render_picture(scene, options).hash, first) << tiles << " tiles a launch";
     }
 }
 

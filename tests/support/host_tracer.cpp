@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/meshes.h"
+#include "support/film_blocks.h"
 
 namespace lobe::test {
 
@@ -178,7 +179,7 @@ Picture trace_on_host(const Scene& scene, std::uint32_t samples, std::uint64_t s
                 sum.g += float(c.y);
                 sum.b += float(c.z);
             }
-        picture.film.add_block(sums, LOBE_BLOCK);
+        add_block(picture.film, sums, LOBE_BLOCK);
     }
     return picture;
 }

@@ -45,7 +45,7 @@ Picture render_picture(const Scene& scene, const PictureOptions& options) {
     session.set_seed(options.seed);
     RenderPlan plan;
     plan.samples = options.samples;
-    plan.rows_per_launch = options.rows_per_launch;
+    plan.tiles_per_launch = options.tiles_per_launch;
     RenderOutcome outcome = render(session, plan);
     Picture picture{std::move(outcome.film), session.status(), ""};
     picture.hash = image_hash(estimate(picture.film));
@@ -58,7 +58,6 @@ Picture render_picture(const Scene& scene, const PictureOptions& options) {
 MeanOf mean_of(const Picture& picture, int channel, std::optional<Region> region) {
     const Region r = region.value_or(Region{0, 0, picture.film.width(), picture.film.height()});
     const FilmSums sums = picture.film.sums();
-    const double samples = double(sums.samples);
     const double pixels = double(r.x1 - r.x0) * (r.y1 - r.y0);
     MeanOf result;
     double variance = 0;
@@ -66,6 +65,7 @@ MeanOf mean_of(const Picture& picture, int channel, std::optional<Region> region
         for (std::uint32_t x = r.x0; x < r.x1; ++x) {
             const std::size_t p = std::size_t{y} * picture.film.width() + x;
             std::vector<double> means;
+            const double samples = sums.samples[p];
             double total = 0;
             for (unsigned k = 0; k < LOBE_REPLICATES; ++k) {
                 const double sum = sums.radiance[(p * LOBE_REPLICATES + k) * 3 + channel];

@@ -17,7 +17,7 @@ struct PictureOptions {
     std::uint32_t samples = 64;
     std::uint64_t seed = 1;
     std::array<unsigned, 2> local{8, 8};
-    std::uint32_t rows_per_launch = 0;
+    std::uint32_t tiles_per_launch = 0;
     bool general = true;  // one kernel for all tests: compiled once
     bool double_precision = false;
 };

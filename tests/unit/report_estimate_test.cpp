@@ -8,6 +8,7 @@
 #include "report/estimate.h"
 #include "support/chi_square.h"
 #include "base/random.h"
+#include "support/film_blocks.h"
 
 using namespace lobe;
 using namespace lobe::test;
@@ -28,7 +29,7 @@ Film noisy_film(std::uint32_t side, std::uint32_t samples, double level, double 
                 LobeBlockSum& sum = sums[p * LOBE_REPLICATES + s % LOBE_REPLICATES];
                 sum.r += v, sum.g += v, sum.b += v;
             }
-        film.add_block(sums, count);
+        add_block(film, sums, count);
     }
     return film;
 }
@@ -87,12 +88,12 @@ TEST(ReportEstimate, LightsAreMasked) {
     for (int i = 0; i < 4; ++i) {
         std::vector<LobeBlockSum> sums(100 * LOBE_REPLICATES);
         for (LobeBlockSum& s : sums) s.r = s.g = s.b = float(random.uniform(2, 3));
-        plain.add_block(sums, LOBE_BLOCK);
+        add_block(plain, sums, LOBE_BLOCK);
         if (i == 2)  // one sample of one block saw it
             for (std::size_t k = 0; k < LOBE_REPLICATES; ++k)
                 sums[7 * LOBE_REPLICATES + k].r = 1e6f;
         if (i == 2) sums[7 * LOBE_REPLICATES].emitter = 1;
-        film.add_block(sums, LOBE_BLOCK);
+        add_block(film, sums, LOBE_BLOCK);
     }
     const Estimate e = estimate(film), all = estimate(plain);
     EXPECT_EQ(e.masked, 1u);
@@ -111,13 +112,13 @@ TEST(ReportEstimate, LightsAreMasked) {
 
 TEST(ReportEstimate, AllMaskedOrBlack) {
     Film film(2, 2);
-    film.add_block(std::vector<LobeBlockSum>(4 * LOBE_REPLICATES, LobeBlockSum{1, 1, 1, 4}), 8);
+    add_block(film, std::vector<LobeBlockSum>(4 * LOBE_REPLICATES, LobeBlockSum{1, 1, 1, 4}), 8);
     const Estimate lights = estimate(film);
     EXPECT_EQ(lights.masked, 4u);
     EXPECT_EQ(lights.mean, 0);
     EXPECT_FALSE(lights.relative_standard_error);
     Film black(2, 2);
-    black.add_block(std::vector<LobeBlockSum>(4 * LOBE_REPLICATES), 8);
+    add_block(black, std::vector<LobeBlockSum>(4 * LOBE_REPLICATES), 8);
     EXPECT_EQ(*estimate(black).mean_standard_error, 0);
     EXPECT_FALSE(estimate(black).relative_standard_error);  // 0 / 0
 }

@@ -104,7 +104,8 @@ SpherePicture render_sphere(const Device& device, const KernelText& kernels,
     session.set_seed(plan.seed);
     RenderPlan samples;
     samples.samples = plan.samples;
-    const RenderOutcome outcome = render(session, samples, {}, stop);
+    samples.stop = stop;
+    const RenderOutcome outcome = render(session, samples);
     if (!session.status().sound())
         warn("samples of the sphere were not finite, negative or trapped", subject.model.name);
     return {estimate(outcome.film), outcome.seconds, outcome.stopped};
