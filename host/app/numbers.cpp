@@ -2,6 +2,7 @@
 #include "app/numbers.h"
 
 #include <charconv>
+#include <cstdio>
 
 namespace lobe {
 namespace {
@@ -32,6 +33,22 @@ CLI::Validator real_number(double low, double high, const std::string& wanted) {
         double value = 0;
         if (parse(text, value) && value >= low && value <= high) return "";
         return "'" + text + "' is no number " + wanted;
+    };
+    return CLI::Validator(check, "");
+}
+
+CLI::Validator part_of_one() {
+    const auto check = [](std::string& text) -> std::string {
+        const bool percent = !text.empty() && text.back() == '%';
+        double value = 0;
+        if (!parse(text.substr(0, text.size() - percent), value) ||
+            !(value > 0 && value <= (percent ? 100 : 1)))
+            return "'" + text + "' is no part of 1: write 1% or 0.01";
+        if (!percent) return "";
+        char plain[40];
+        std::snprintf(plain, sizeof plain, "%.17g", value / 100);
+        text = plain;
+        return "";
     };
     return CLI::Validator(check, "");
 }

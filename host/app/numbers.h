@@ -15,4 +15,7 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high);
 // 0".
 CLI::Validator real_number(double low, double high, const std::string& wanted);
 
+// "1%" or "0.01", above 0 and at most 100 %; made the plain number.
+CLI::Validator part_of_one();
+
 }  // namespace lobe

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/scene_options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -103,6 +104,37 @@ ReadOptions read_options(const SceneOptions& options) {
     return read;
 }
 
+// An option whose values are named in the order of its enumeration; the first is the default.
+template <typename Choice>
+void add_choice(CLI::App& verb, const std::string& name, Choice& choice,
+                const std::vector<std::string>& values, const std::string& meaning) {
+    const auto set = [&choice, values](const std::string& value) {
+        const auto place = std::find(values.begin(), values.end(), value) - values.begin();
+        choice = static_cast<Choice>(place);
+    };
+    verb.add_option_function<std::string>(name, set, meaning + " (" + values.front() + ")")
+        ->check(CLI::IsMember(values));
+}
+
+void add_integrator_options(CLI::App& verb, Integrator& i) {
+    add_choice(verb, "--sampler", i.sampler, {"sobol", "independent"}, "the random numbers");
+    add_choice(verb, "--strategy", i.strategy, {"both", "light", "brdf"},
+               "find shining shapes by sampling lights, by sampling reflection, or by both");
+    add_choice(verb, "--heuristic", i.heuristic, {"power", "balance"},
+               "how --strategy both weighs the two");
+    add_choice(verb, "--directions", i.directions, {"matched", "cosine"},
+               "sample each model's own lobes, or the cosine for all");
+}
+
+// What the choices leave out of a picture.
+void warn_of_mirrors(const Integrator& integrator, const Scene& scene) {
+    if (integrator.directions != Integrator::Directions::cosine) return;
+    for (const Material& material : scene.materials)
+        if (material.brdf == "mirror")
+            warn("--directions cosine never meets a perfect mirror: it renders black",
+                 material.where);
+}
+
 }  // namespace
 
 void add_scene_options(CLI::App& verb, SceneOptions& o) {
@@ -119,6 +151,7 @@ void add_scene_options(CLI::App& verb, SceneOptions& o) {
         ->type_name("NUMBER");
     verb.add_option("--filter", o.filter, "box, triangle, gaussian or mitchell")
         ->type_name("NAME[:RADIUS]");
+    add_integrator_options(verb, o.integrator);
     verb.add_option("--dialect", o.dialect, "of the scene file")
         ->check(CLI::IsMember({"auto", "v3", "v4"}));
     verb.add_option("--features", o.features, "compile in what the scene needs, or all there is")
@@ -158,6 +191,7 @@ Scene read_scene_for(const SceneOptions& o, KernelText& kernels) {
     for (const UserModel& model : scene.models) kernels.add(model.table.file, model.text);
     apply(o, scene);
     for (const std::string& warning : scene.warnings) warn(warning);
+    warn_of_mirrors(o.integrator, scene);
     return scene;
 }
 

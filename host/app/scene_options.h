@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/kernel_text.h"
+#include "build/integrator.h"
 #include "scene/scene.h"
 
 namespace lobe {
@@ -20,6 +21,7 @@ struct SceneOptions {
     std::optional<double> replace_n;
     std::optional<std::uint32_t> spp, max_depth;
     bool lenient = false, trust_scene_kernels = false;
+    Integrator integrator;
 };
 
 void add_scene_options(CLI::App& verb, SceneOptions& options);

@@ -34,6 +34,19 @@ class LaunchSize {
     unsigned launches_ = 0;
 };
 
+// Samples a pixel of the next round. Small films take several blocks at once, so that a device has
+// enough to do; but never many more than there are already, since a render can only end on a
+// round.
+std::uint32_t round_samples(std::uint32_t taken, std::uint32_t tiles) {
+    const std::uint32_t most = std::max(1u, 256 / std::max(tiles, 1u));
+    return LOBE_BLOCK * std::clamp(taken / LOBE_BLOCK / 16, 1u, most);
+}
+
+// As many whole blocks as there are; what is less than one stays.
+std::uint32_t whole_blocks(std::uint32_t samples) {
+    return samples < LOBE_BLOCK ? samples : samples / LOBE_BLOCK * LOBE_BLOCK;
+}
+
 // One render in the making: what its rounds share.
 class Work {
   public:
@@ -47,15 +60,19 @@ class Work {
         const Stopwatch watch;
         Film& film = outcome_.film;
         for (std::uint32_t taken = 0; taken < plan_.samples && !outcome_.stopped;) {
-            const std::uint32_t wanted = std::min<std::uint32_t>(LOBE_BLOCK, plan_.samples - taken);
+            const std::uint32_t wanted =
+                whole_blocks(std::min(round_samples(taken, film.tiles()), plan_.samples - taken));
             const std::uint32_t samples =
-                plan_.next_samples ? std::min(plan_.next_samples(film, wanted), wanted) : wanted;
+                plan_.next_samples
+                    ? whole_blocks(std::min(plan_.next_samples(film, wanted), wanted))
+                    : wanted;
             if (samples == 0) break;
             const std::size_t whole = render_round(taken, samples);
             // The film ends at the last whole round, if there is one.
             if (whole == jobs_.size() || taken == 0)
                 for (std::size_t i = 0; i < whole; ++i)
-                    film.add_tile(jobs_[i].tile, &sums_[i * Session::tile_sums], samples);
+                    film.add_tile(jobs_[i].tile, &sums_[i * Session::tile_sums],
+                                  std::min<std::uint32_t>(samples, LOBE_BLOCK));
             taken += samples;
             if (whole == jobs_.size()) report(taken, 0, samples, true);
             if (samples < LOBE_BLOCK) break;
@@ -72,7 +89,7 @@ class Work {
         for (std::uint32_t t = 0; t < outcome_.film.tiles(); ++t) {
             const std::uint32_t done = outcome_.film.tile_samples(t);
             std::uint32_t due = taken + samples;
-            if (!plan_.rates.empty() && samples == LOBE_BLOCK)
+            if (!plan_.rates.empty() && samples >= LOBE_BLOCK)
                 due = LOBE_BLOCK *
                       std::max<std::uint32_t>(1, std::lround(plan_.rates[t] * due / LOBE_BLOCK));
             if (!plan_.rates.empty() && samples < LOBE_BLOCK) due = done + samples;
@@ -85,6 +102,7 @@ class Work {
     // Returns how many jobs were done before a stop.
     std::size_t render_round(std::uint32_t taken, std::uint32_t samples) {
         list_jobs(taken, samples);
+        const std::uint32_t each = std::min<std::uint32_t>(samples, LOBE_BLOCK);
         std::size_t done = 0;
         while (done < jobs_.size()) {
             outcome_.stopped = plan_.stop && plan_.stop();
@@ -94,11 +112,10 @@ class Work {
             const double tile_pixels = LOBE_TILE * LOBE_TILE;
             const Stopwatch launch;
             {
-                const Watchdog::Launch watched(plan_.watchdog, tile_pixels * count * samples);
-                session_.render_tiles(&jobs_[done], count, samples,
-                                      &sums_[done * Session::tile_sums]);
+                const Watchdog::Launch watched(plan_.watchdog, tile_pixels * count * each);
+                session_.render_tiles(&jobs_[done], count, each, &sums_[done * Session::tile_sums]);
             }
-            size_.took(count, samples, launch.seconds());
+            size_.took(count, each, launch.seconds());
             done += count;
             if (done < jobs_.size()) report(taken, done, samples, false);
         }

@@ -30,8 +30,8 @@ struct RenderPlan {
     // Asked before every launch: whether to stop now, at a signal for example. A round that is
     // under way is lost, but for the first.
     std::function<bool()> stop;
-    // Asked before every round: how many of the next `wanted` samples to take. Fewer are the last;
-    // 0 ends the render.
+    // Asked before every round: how many of the next `wanted` samples to take. Less than a block
+    // are the last; 0 ends the render.
     std::function<std::uint32_t(const Film& film, std::uint32_t wanted)> next_samples;
     std::function<void(const RenderProgress&)> progress;
 };

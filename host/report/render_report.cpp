@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/render_report.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "base/progress.h"
 #include "base/statistics.h"
+#include "report/way_on.h"
 
 namespace lobe {
 namespace {
@@ -22,15 +24,38 @@ Json interval(double mean, const std::optional<double>& standard_error) {
     return {mean - half, mean + half};
 }
 
-Json error_json(const Estimate& e) {
+// A whole number where all pixels have the same, else the mean.
+Json samples_json(const Estimate& picture) {
+    if (picture.mean_samples == picture.samples) return picture.samples;
+    return picture.mean_samples;
+}
+
+Json error_json(const Estimate& e, const std::optional<TailIndex>& tail) {
     return {{"relative_standard_error", optional_number(e.relative_standard_error)},
             {"mean", e.mean},
             {"mean_ci95", interval(e.mean, e.mean_standard_error)},
             {"image_mean", e.image_mean},
             {"image_mean_ci95", interval(e.image_mean, e.image_mean_standard_error)},
             {"replicates", e.replicates},
+            {"tail_index", tail ? Json(tail->alpha) : Json(nullptr)},
             {"masked_pixels", e.masked},
             {"mask", "pixels in which a light is seen directly; left out of all but image_mean"}};
+}
+
+Json end_json(const RenderEnd& end) {
+    Json json = {{"by", end.by},
+                 {"error_target", optional_number(end.error_target)},
+                 {"time_target_s", optional_number(end.time_target)}};
+    if (end.error_target) {
+        json["error_bound95"] = std::isfinite(end.error_bound) ? Json(end.error_bound) : nullptr;
+        json["looks"] = end.looks;
+    }
+    if (end.pilot_samples)
+        json["adaptive"] = {{"pilot_spp", end.pilot_samples},
+                            {"pilot_s", end.pilot_seconds},
+                            {"least_rate", end.least_rate},
+                            {"most_rate", end.most_rate}};
+    return json;
 }
 
 Json features_json(const RenderReport& r) {
@@ -50,6 +75,30 @@ double samples_per_second(const RenderReport& r) {
     return r.seconds.render > 0 ? samples / r.seconds.render : 0;
 }
 
+// Whether a stated error was reached; "" if none was stated.
+std::string end_text(const RenderReport& r) {
+    if (!r.end.error_target) return "";
+    const std::string target = percent_text(*r.end.error_target);
+    char line[256];
+    if (r.end.by == "error")
+        std::snprintf(line, sizeof line,
+                      "target   the error is below %s with 95 %% confidence (%u looks)\n",
+                      target.c_str(), r.end.looks);
+    else
+        std::snprintf(line, sizeof line, "target   %s was not reached: ended by %s\n",
+                      target.c_str(),
+                      r.end.by == "samples" ? "the ceiling of --spp" : r.end.by.c_str());
+    return line;
+}
+
+std::string way_text(const RenderReport& r) {
+    if (!r.picture.relative_standard_error) return "";
+    const auto way = way_on(*r.picture.relative_standard_error, r.seconds.render, r.command);
+    if (!way) return "";
+    return "way on   error " + error_text(r.picture) + "; " + percent_text(way->error) +
+           " needs about " + seconds_text(way->more_seconds) + " more: " + way->command + "\n";
+}
+
 }  // namespace
 
 Json to_json(const RenderReport& r) {
@@ -61,7 +110,7 @@ Json to_json(const RenderReport& r) {
             {"platform", r.device.platform},
             {"driver", r.device.driver},
             {"seed", r.seed},
-            {"spp", r.picture.samples},
+            {"spp", samples_json(r.picture)},
             {"resolution", {r.width, r.height}},
             {"triangles", r.triangles},
             {"spheres", r.spheres},
@@ -69,7 +118,8 @@ Json to_json(const RenderReport& r) {
             {"device_bytes", r.device_bytes},
             {"seconds", seconds_json(r.seconds)},
             {"samples_per_s", samples_per_second(r)},
-            {"error", error_json(r.picture)},
+            {"error", error_json(r.picture, r.tail)},
+            {"end", end_json(r.end)},
             {"features", features_json(r)},
             {"nonfinite", r.status ? Json(r.status->nonfinite()) : Json(nullptr)},
             {"negative", r.status ? Json(r.status->negative()) : Json(nullptr)},
@@ -83,9 +133,9 @@ std::string to_text(const RenderReport& r) {
     std::string text;
     for (const std::string& output : r.outputs) text += "picture  " + output + "\n";
     std::snprintf(line, sizeof line,
-                  "error    %s relative standard error at %llu samples a pixel%s\n",
-                  error_text(r.picture).c_str(), static_cast<unsigned long long>(r.picture.samples),
-                  r.partial ? " (stopped early)" : "");
+                  "error    %s relative standard error at %.4g samples a pixel%s%s\n",
+                  error_text(r.picture).c_str(), r.picture.mean_samples,
+                  r.end.pilot_samples ? " in the mean" : "", r.partial ? " (stopped early)" : "");
     text += line;
     std::snprintf(line, sizeof line,
                   "time     %.2f s: parse %.2f, bvh %.2f, compile %.2f, upload %.2f, render %.2f "
@@ -96,7 +146,7 @@ std::string to_text(const RenderReport& r) {
     text += line;
     text += "device   " + r.device.name + "\n";
     text += "hash     " + r.hash + "\n";
-    return text;
+    return text + end_text(r) + way_text(r);
 }
 
 }  // namespace lobe
