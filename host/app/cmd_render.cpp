@@ -130,6 +130,7 @@ PackedScene prepare(const Options& options, KernelText& kernels, RenderReport& r
     if (packed.lights.lights.empty() && !scene.environment)
         warn("the scene has no light: the picture will be black", scene.path);
     report.features = packed.features;
+    report.integrator = packed.integrator;
     for (const BrdfTable& model : packed.models) report.models.push_back(model.name);
     report.triangles = packed.triangles.size();
     report.spheres = packed.spheres.size();

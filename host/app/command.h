@@ -26,8 +26,12 @@ using Command = std::function<int()>;
 
 Command add_render_command(CLI::App& app, const std::vector<std::string>& command_line);
 Command add_devices_command(CLI::App& app);
+Command add_compare_command(CLI::App& app, const std::vector<std::string>& command_line);
+Command add_converge_command(CLI::App& app, const std::vector<std::string>& command_line);
 Command add_features_command(CLI::App& app);
 Command add_brdf_command(CLI::App& app);
+Command add_diff_command(CLI::App& app);
+Command add_paper_command(CLI::App& app, const std::vector<std::string>& command_line);
 
 // Writes JSON text to a file, or to standard output for "-".
 void write_json(const std::string& where, const std::string& text);

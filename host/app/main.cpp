@@ -28,9 +28,13 @@ int run(int argc, char** argv) {
     const std::vector<std::string> command_line(argv, argv + argc);
     const std::vector<std::pair<std::string, lobe::Command>> commands = {
         {"render", lobe::add_render_command(app, command_line)},
+        {"compare", lobe::add_compare_command(app, command_line)},
+        {"converge", lobe::add_converge_command(app, command_line)},
         {"features", lobe::add_features_command(app)},
         {"devices", lobe::add_devices_command(app)},
         {"brdf", lobe::add_brdf_command(app)},
+        {"diff", lobe::add_diff_command(app)},
+        {"paper", lobe::add_paper_command(app, command_line)},
     };
     app.set_version_flag("--version", "lobe " LOBE_VERSION);
     for (CLI::App* verb : app.get_subcommands({}))

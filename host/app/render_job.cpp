@@ -151,6 +151,7 @@ void RenderJob::render(Session& session, const RenderGoals& goals, std::uint64_t
     }
     take(outcome.film, rendering_.seconds(), outcome.stopped);
     report_.status = session.status();
+    report_.statistics = session.statistics();
     warn_of_tail(report_);
 }
 

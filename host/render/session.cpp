@@ -45,7 +45,8 @@ struct Session::Buffers {
           filter(d, s.filter_nodes, "filter table"),
           jobs(d, tiles, "tiles"),
           sums(d, tiles * tile_sums, "film"),
-          status(d, std::vector<cl_uint>(LOBE_STATUS_COUNT, 0), "status") {}
+          status(d, std::vector<cl_uint>(LOBE_STATUS_COUNT, 0), "status"),
+          statistics(d, tiles * LOBE_STATISTIC_COUNT, "statistics") {}
 
     Buffer<LobeFrame> frame;
     Buffer<LobeNode> nodes;
@@ -65,13 +66,14 @@ struct Session::Buffers {
     Buffer<LobeTileJob> jobs;
     Buffer<LobeBlockSum> sums;
     Buffer<cl_uint> status;
+    Buffer<cl_uint> statistics;  // LOBE_STATISTIC_COUNT a tile
 
     std::size_t bytes() const {
         return frame.bytes() + nodes.bytes() + triangle_leaves.bytes() + sphere_leaves.bytes() +
                triangles.bytes() + vertices.bytes() + spheres.bytes() + surfaces.bytes() +
                materials.bytes() + rows.bytes() + prepared.bytes() + lights.bytes() +
                light_sums.bytes() + tables.bytes() + filter.bytes() + jobs.bytes() + sums.bytes() +
-               status.bytes();
+               status.bytes() + statistics.bytes();
     }
 };
 
@@ -100,7 +102,7 @@ void Session::upload(const PackedScene& scene) {
     Buffers& b = *buffers_;
     set_args(render_, b.frame, b.nodes, b.triangle_leaves, b.sphere_leaves, b.triangles, b.vertices,
              b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_sums, b.tables,
-             b.filter, b.jobs, b.sums, b.status);
+             b.filter, b.jobs, b.sums, b.status, b.statistics);
     upload_seconds_ = watch.seconds();
 }
 
@@ -145,10 +147,14 @@ void Session::render_tiles(const LobeTileJob* jobs, std::uint32_t count, std::ui
     frame_.samples = samples;
     buffers_->frame.write(&frame_, 1);
     buffers_->jobs.write(jobs, count);
+    counters_.assign(std::size_t{count} * LOBE_STATISTIC_COUNT, 0);
+    buffers_->statistics.write(counters_.data(), counters_.size());
     const auto [x, y] = options_.local;
     launch(device_, render_, cl::NDRange(round_up(LOBE_TILE, x), round_up(LOBE_TILE * count, y)),
            cl::NDRange(x, y));
     buffers_->sums.read(sums, count * tile_sums);
+    buffers_->statistics.read(counters_.data(), counters_.size());
+    statistics_.add(counters_);
 }
 
 RenderStatus Session::status() const {

@@ -10,6 +10,7 @@
 #include "build/pack.h"
 #include "cl/buffer.h"
 #include "cl/program.h"
+#include "render/statistics.h"
 #include "render/watchdog.h"
 #include "shared/status.h"
 
@@ -56,6 +57,8 @@ class Session {
     std::uint32_t max_tiles() const { return max_tiles_; }
 
     RenderStatus status() const;
+    // Of all samples so far.
+    const RenderStatistics& statistics() const { return statistics_; }
     // Building the program and its first, empty launch.
     double compile_seconds() const { return program_.build_seconds + warm_up_seconds_; }
     double upload_seconds() const { return upload_seconds_; }
@@ -78,6 +81,8 @@ class Session {
     Program program_;
     cl::Kernel render_;
     std::unique_ptr<Buffers> buffers_;
+    std::vector<std::uint32_t> counters_;  // of the tiles of a launch
+    RenderStatistics statistics_;
     std::uint32_t max_tiles_ = 0;
     double upload_seconds_ = 0, warm_up_seconds_ = 0;
 };

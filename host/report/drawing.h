@@ -20,6 +20,13 @@ struct Polyline {
     double width = 1;
 };
 
+// A filled polygon, without an edge of its own; where it overlaps itself it is painted once.
+struct Area {
+    std::vector<glm::dvec2> points;
+    Ink ink;
+    double opacity = 1;
+};
+
 struct Dot {
     glm::dvec2 centre{0};
     double radius = 1;
@@ -41,10 +48,12 @@ struct Text {
 struct Drawing {
     double width = 0, height = 0;
     std::string title;  // for readers who do not see it
+    std::vector<Area> areas;
     std::vector<Polyline> lines;
     std::vector<Dot> dots;
     std::vector<Text> texts;
 
+    void add(Area area) { areas.push_back(std::move(area)); }
     void add(Polyline line) { lines.push_back(std::move(line)); }
     void add(const Dot& dot) { dots.push_back(dot); }
     void add(Text text) { texts.push_back(std::move(text)); }

@@ -51,6 +51,12 @@ class PixelSums {
     std::array<std::array<double, LOBE_REPLICATES>, 4> sums_;
 };
 
+// Effective degrees of freedom of a sum of the pixels' variances, each with LOBE_REPLICATES - 1:
+// Satterthwaite's, with the squares of the true variances estimated from those of the variances.
+double freedom(double variances, double squares) {
+    return squares > 0 ? (LOBE_REPLICATES + 1) * variances * variances / squares : 1;
+}
+
 }  // namespace
 
 Estimate estimate(const Film& film) {
@@ -68,7 +74,8 @@ Estimate estimate(const Film& film) {
     if (known) e.standard_error.resize(film.pixels() * 3);
     if (known) e.luminance_error.resize(film.pixels());
 
-    double luminance_sum = 0, variance_sum = 0, square_sum = 0, all_luminance = 0, all_variance = 0;
+    double luminance_sum = 0, variance_sum = 0, square_sum = 0;
+    double all_luminance = 0, all_variance = 0, all_squares = 0;
     for (std::size_t p = 0; p < film.pixels(); ++p) {
         if (sums.samples[p] == 0) continue;
         const PixelSums pixel(&sums.radiance[p * LOBE_REPLICATES * 3], sums.samples[p]);
@@ -80,6 +87,7 @@ Estimate estimate(const Film& film) {
         const double variance = known ? pixel.variance(PixelSums::luminance) : 0;
         all_luminance += value;
         all_variance += variance;
+        all_squares += variance * variance;
         if (known) e.luminance_error[p] = static_cast<float>(std::sqrt(variance));
         if (sums.emitters[p] > 0) {
             ++e.masked;
@@ -93,11 +101,13 @@ Estimate estimate(const Film& film) {
     const auto all = static_cast<double>(film.pixels());
     e.image_mean = all_luminance / all;
     if (known) e.image_mean_standard_error = std::sqrt(all_variance) / all;
+    e.image_mean_freedom = freedom(all_variance, all_squares);
     const double counted = static_cast<double>(film.pixels() - e.masked);
     if (counted == 0) return e;
     e.mean = luminance_sum / counted;
     if (!known) return e;
     e.mean_standard_error = std::sqrt(variance_sum) / counted;
+    e.mean_freedom = freedom(variance_sum, square_sum);
     e.mean_square_error = variance_sum / counted;
     e.mean_square_error_deviation = std::sqrt(square_sum) / counted;
     if (e.mean > 0) e.relative_standard_error = std::sqrt(e.mean_square_error) / e.mean;
@@ -108,6 +118,16 @@ double relative_error_bound(const Estimate& e, double confidence) {
     if (!e.relative_standard_error) return std::numeric_limits<double>::infinity();
     const double spread = normal_quantile(confidence) * e.mean_square_error_deviation;
     return std::sqrt(e.mean_square_error + spread) / e.mean;
+}
+
+std::array<double, 2> relative_error_interval(const Estimate& e) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    if (!e.relative_standard_error) return {unknown, unknown};
+    const double error = *e.relative_standard_error;
+    if (e.mean_square_error <= 0) return {error, error};
+    const double spread = 0.5 * e.mean_square_error_deviation / e.mean_square_error;
+    const double factor = std::exp(normal_quantile(0.975) * spread);
+    return {error / factor, error * factor};
 }
 
 std::string image_hash(const Estimate& picture) {

@@ -7,7 +7,20 @@
 namespace lobe {
 namespace {
 
-constexpr std::uint32_t side = 8;  // of a pixel's surroundings
+// The second largest error around a pixel: what is typical there, at the edge of a noisy region and
+// along a noisy line too. Masked pixels do not count.
+double typical_around(const Estimate& e, std::uint32_t x, std::uint32_t y) {
+    float first = 0, second = 0;
+    for (std::uint32_t v = y ? y - 1 : 0; v <= std::min(y + 1, e.height - 1); ++v)
+        for (std::uint32_t u = x ? x - 1 : 0; u <= std::min(x + 1, e.width - 1); ++u) {
+            const std::size_t p = std::size_t{v} * e.width + u;
+            if ((u == x && v == y) || e.sees_light[p]) continue;
+            const float error = e.luminance_error[p];
+            second = std::max(second, std::min(first, error));
+            first = std::max(first, error);
+        }
+    return second;
+}
 
 }  // namespace
 
@@ -19,19 +32,11 @@ std::optional<TailIndex> error_tail(const Estimate& e) {
     const double least =
         0.01 * std::sqrt(square_sum / static_cast<double>(e.luminance_error.size()));
     std::vector<double> scaled;
-    for (std::uint32_t y0 = 0; y0 < e.height; y0 += side)
-        for (std::uint32_t x0 = 0; x0 < e.width; x0 += side) {
-            std::vector<double> errors;
-            for (std::uint32_t y = y0; y < std::min(y0 + side, e.height); ++y)
-                for (std::uint32_t x = x0; x < std::min(x0 + side, e.width); ++x) {
-                    const std::size_t p = std::size_t{y} * e.width + x;
-                    if (!e.sees_light[p]) errors.push_back(e.luminance_error[p]);
-                }
-            if (errors.size() < side * side / 2) continue;
-            std::vector<double> sorted = errors;
-            std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-            const double typical = std::max(sorted[sorted.size() / 2], least);
-            for (const double error : errors) scaled.push_back(error / typical);
+    for (std::uint32_t y = 0; y < e.height; ++y)
+        for (std::uint32_t x = 0; x < e.width; ++x) {
+            const std::size_t p = std::size_t{y} * e.width + x;
+            if (!e.sees_light[p] && least > 0)
+                scaled.push_back(e.luminance_error[p] / std::max(typical_around(e, x, y), least));
         }
     if (scaled.size() < 2000) return {};
     return tail_index(std::move(scaled));

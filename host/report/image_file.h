@@ -27,6 +27,9 @@ struct ImageFile {
 extern "C" {
 using WriteImage = void (*)(const char* path, const char* format, const ImageFile& image,
                             std::string& error);
+// The same, as the bytes of the file.
+using EncodeImage = void (*)(const char* format, const ImageFile& image, std::string& bytes,
+                             std::string& error);
 using ReadImage = void (*)(const char* path, ImageFile& image, std::string& error);
 // Paints texts, whose unit is here the pixel, in the font of a file.
 using DrawTexts = void (*)(ImageFile& image, const char* font, const std::vector<Text>& texts,

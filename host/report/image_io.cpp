@@ -15,6 +15,7 @@ namespace lobe {
 struct ImageIo::Module {
     lobe::Module file{"lobe_image.so"};
     WriteImage write = file.function<WriteImage>("lobe_write_image");
+    EncodeImage encode = file.function<EncodeImage>("lobe_encode_image");
     ReadImage read = file.function<ReadImage>("lobe_read_image");
     DrawTexts draw_texts = file.function<DrawTexts>("lobe_draw_texts");
 };
@@ -26,7 +27,7 @@ ImageIo::~ImageIo() = default;
 
 ImageIo::Module& ImageIo::module() {
     if (!module_) module_ = opening_.get();
-    if (!module_->write || !module_->read || !module_->draw_texts)
+    if (!module_->write || !module_->encode || !module_->read || !module_->draw_texts)
         throw Error(ExitCode::output,
                     "the image module lobe_image.so cannot be opened: " + module_->file.error(), "",
                     "it belongs beside the program, and OpenImageIO must be installed");
@@ -79,6 +80,13 @@ void ImageIo::write(const std::string& path, const ImageFile& image) {
         throw Error(ExitCode::output, "the written picture cannot be read: " + error, path);
     compare(image, back, path);
     file.commit();
+}
+
+std::string ImageIo::png(const ImageFile& image) {
+    std::string bytes, error;
+    module().encode("png", image, bytes, error);
+    if (!error.empty()) throw Error(ExitCode::output, "cannot encode a picture: " + error);
+    return bytes;
 }
 
 ImageFile ImageIo::read(const std::string& path) {

@@ -20,6 +20,9 @@ class ImageIo {
     // then renames. The format follows the ending. Throws Error (output).
     void write(const std::string& path, const ImageFile& image);
 
+    // The bytes of a PNG file. Throws Error (output).
+    std::string png(const ImageFile& image);
+
     // Throws Error (scene) if the file cannot be read.
     ImageFile read(const std::string& path);
 

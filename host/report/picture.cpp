@@ -35,6 +35,12 @@ double srgb_encode(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
+double srgb_decode(double display) {
+    if (!(display > 0)) return 0;
+    if (display >= 1) return 1;
+    return display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
+}
+
 ImageFile display_picture(const Estimate& picture, double exposure) {
     ImageFile file;
     file.width = file.full_width = picture.width;

@@ -23,5 +23,6 @@ ImageFile display_picture(const Estimate& picture, double exposure = 1);
 
 // IEC 61966-2-1 encoding of a linear value, clamped to [0, 1]; NaN gives 0.
 double srgb_encode(double linear);
+double srgb_decode(double display);  // the inverse
 
 }  // namespace lobe

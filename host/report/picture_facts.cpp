@@ -14,6 +14,7 @@ PictureFacts picture_facts(const RenderReport& r, const LobeFrame& frame) {
     a["lobe:seed"] = std::to_string(r.seed);
     if (!r.end.pilot_samples) a["lobe:sampleRange"] = "0:" + std::to_string(r.picture.samples);
     a["lobe:block"] = LOBE_BLOCK;
+    a["lobe:integrator"] = to_text(r.integrator);
     a["lobe:replicates"] = LOBE_REPLICATES;
     a["lobe:sceneHash"] = r.scene_hash;
     a["lobe:imageHash"] = r.hash;

@@ -17,6 +17,10 @@ class Painter {
     Painter(ImageFile& image, double scale)
         : image_(image), scale_(scale), mask_(image.width * std::size_t(image.height)) {}
 
+    void draw(const Area& area) {
+        fill(area.points);
+        paint(area.ink, area.opacity);
+    }
     void draw(const Polyline& line) {
         stroke(simplified(line.points, 0.02), line.width);
         paint(line.ink);
@@ -29,6 +33,34 @@ class Painter {
     }
 
   private:
+    // As SVG's nonzero rule has it: inside is where the outline turns around.
+    static bool winds_around(const std::vector<glm::dvec2>& points, const glm::dvec2& p) {
+        int turns = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const glm::dvec2 a = points[i], b = points[(i + 1) % points.size()];
+            if ((a.y <= p.y) == (b.y <= p.y)) continue;
+            const double x = a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+            if (x > p.x) turns += b.y > a.y ? 1 : -1;
+        }
+        return turns != 0;
+    }
+
+    // The mean of 4x4 points a pixel.
+    void fill(const std::vector<glm::dvec2>& points) {
+        if (points.size() < 3) return;
+        glm::dvec2 low = points[0], high = points[0];
+        for (const glm::dvec2& p : points) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+        cover(low, high, [&](const glm::dvec2& p) {
+            int inside = 0;
+            for (int i = 0; i < 16; ++i)
+                inside += winds_around(points, p + (glm::dvec2(i % 4, i / 4) - 1.5) / 4.0 / scale_);
+            return inside / 16.0;
+        });
+    }
+
     void stroke(const std::vector<glm::dvec2>& points, double width) {
         for (std::size_t i = 1; i < points.size(); ++i) {
             const glm::dvec2 a = points[i - 1], b = points[i];
@@ -56,13 +88,13 @@ class Painter {
             }
     }
 
-    void paint(const Ink& ink) {
+    void paint(const Ink& ink, double opacity = 1) {
         const float colour[3] = {float(ink.red), float(ink.green), float(ink.blue)};
         for (std::size_t i = 0; i < mask_.size(); ++i) {
             if (mask_[i] <= 0) continue;
             for (std::size_t c = 0; c < 3; ++c) {
                 float& at = image_.pixels[3 * i + c];
-                at += mask_[i] * (colour[c] - at);
+                at += mask_[i] * static_cast<float>(opacity) * (colour[c] - at);
             }
             mask_[i] = 0;
         }
@@ -93,6 +125,7 @@ ImageFile rasterise(const Drawing& drawing, ImageIo& images, double scale) {
     image.bytes = true;
     image.pixels.assign(3 * std::size_t(image.width) * image.height, 255);
     Painter painter(image, scale);
+    for (const Area& area : drawing.areas) painter.draw(area);
     for (const Polyline& line : drawing.lines) painter.draw(line);
     for (const Dot& dot : drawing.dots) painter.draw(dot);
     if (!drawing.texts.empty()) {

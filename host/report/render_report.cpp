@@ -6,6 +6,7 @@
 
 #include "base/progress.h"
 #include "base/statistics.h"
+#include "report/statistics_report.h"
 #include "report/way_on.h"
 
 namespace lobe {
@@ -17,10 +18,10 @@ Json optional_number(const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-// 95 %; pixels times (K - 1) degrees of freedom are as good as normal.
-Json interval(double mean, const std::optional<double>& standard_error) {
+// 95 %.
+Json interval(double mean, const std::optional<double>& standard_error, double freedom) {
     if (!standard_error) return nullptr;
-    const double half = normal_quantile(0.975) * *standard_error;
+    const double half = student_quantile(0.975, freedom) * *standard_error;
     return {mean - half, mean + half};
 }
 
@@ -31,11 +32,15 @@ Json samples_json(const Estimate& picture) {
 }
 
 Json error_json(const Estimate& e, const std::optional<TailIndex>& tail) {
+    const auto [low, high] = relative_error_interval(e);
     return {{"relative_standard_error", optional_number(e.relative_standard_error)},
+            {"relative_standard_error_ci95",
+             e.relative_standard_error ? Json({low, high}) : Json(nullptr)},
             {"mean", e.mean},
-            {"mean_ci95", interval(e.mean, e.mean_standard_error)},
+            {"mean_ci95", interval(e.mean, e.mean_standard_error, e.mean_freedom)},
             {"image_mean", e.image_mean},
-            {"image_mean_ci95", interval(e.image_mean, e.image_mean_standard_error)},
+            {"image_mean_ci95",
+             interval(e.image_mean, e.image_mean_standard_error, e.image_mean_freedom)},
             {"replicates", e.replicates},
             {"tail_index", tail ? Json(tail->alpha) : Json(nullptr)},
             {"masked_pixels", e.masked},
@@ -73,6 +78,15 @@ Json seconds_json(const RenderTimes& t) {
 double samples_per_second(const RenderReport& r) {
     const double samples = static_cast<double>(r.width) * r.height * r.picture.mean_samples;
     return r.seconds.render > 0 ? samples / r.seconds.render : 0;
+}
+
+// " (1.8 to 2.0 %)".
+std::string interval_text(const Estimate& picture) {
+    if (!picture.relative_standard_error) return "";
+    const auto [low, high] = relative_error_interval(picture);
+    char text[64];
+    std::snprintf(text, sizeof text, " (%.3g to %.3g %%)", 100 * low, 100 * high);
+    return text;
 }
 
 // Whether a stated error was reached; "" if none was stated.
@@ -121,6 +135,8 @@ Json to_json(const RenderReport& r) {
             {"error", error_json(r.picture, r.tail)},
             {"end", end_json(r.end)},
             {"features", features_json(r)},
+            {"integrator", to_text(r.integrator)},
+            {"statistics", to_json(r.statistics)},
             {"nonfinite", r.status ? Json(r.status->nonfinite()) : Json(nullptr)},
             {"negative", r.status ? Json(r.status->negative()) : Json(nullptr)},
             {"partial", r.partial},
@@ -132,11 +148,17 @@ std::string to_text(const RenderReport& r) {
     char line[512];
     std::string text;
     for (const std::string& output : r.outputs) text += "picture  " + output + "\n";
-    std::snprintf(line, sizeof line,
-                  "error    %s relative standard error at %.4g samples a pixel%s%s\n",
-                  error_text(r.picture).c_str(), r.picture.mean_samples,
-                  r.end.pilot_samples ? " in the mean" : "", r.partial ? " (stopped early)" : "");
+    std::snprintf(
+        line, sizeof line, "error    %s relative standard error%s at %.4g samples a pixel%s%s\n",
+        error_text(r.picture).c_str(), interval_text(r.picture).c_str(), r.picture.mean_samples,
+        r.end.pilot_samples ? " in the mean" : "", r.partial ? " (stopped early)" : "");
     text += line;
+    if (r.picture.mean_standard_error) {
+        std::snprintf(
+            line, sizeof line, "mean     %.5g +- %.2g luminance (95 %%)\n", r.picture.mean,
+            *r.picture.mean_standard_error * student_quantile(0.975, r.picture.mean_freedom));
+        text += line;
+    }
     std::snprintf(line, sizeof line,
                   "time     %.2f s: parse %.2f, bvh %.2f, compile %.2f, upload %.2f, render %.2f "
                   "(%s/s), write %.2f\n",
@@ -144,6 +166,7 @@ std::string to_text(const RenderReport& r) {
                   r.seconds.upload, r.seconds.render,
                   amount_text(samples_per_second(r), "samples").c_str(), r.seconds.write);
     text += line;
+    text += to_text(r.statistics);
     text += "device   " + r.device.name + "\n";
     text += "hash     " + r.hash + "\n";
     return text + end_text(r) + way_text(r);

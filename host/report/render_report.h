@@ -43,6 +43,8 @@ struct RenderReport {
     std::string hash;  // of the picture
     FeatureSet features;
     std::vector<std::string> models;
+    Integrator integrator;
+    RenderStatistics statistics;
     std::optional<RenderStatus> status;  // unknown where the device no longer answers
     std::size_t triangles = 0, spheres = 0, lights = 0, device_bytes = 0;
     bool partial = false;

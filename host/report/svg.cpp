@@ -4,25 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "report/markup.h"
+
 namespace lobe {
 namespace {
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
 
 // Two digits after the point, and none that say nothing.
 std::string number(double value) {
@@ -46,16 +31,26 @@ std::string colour(const Ink& ink) {
     return text;
 }
 
+std::string list(const std::vector<glm::dvec2>& points) {
+    std::string text;
+    for (const glm::dvec2& p : points)
+        text += (text.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
+    return text;
+}
+
 struct Writer {
     std::string out;
 
+    void write(const Area& area) {
+        out += "<polygon" + attribute("points", list(area.points)) +
+               attribute("fill", colour(area.ink));
+        if (area.opacity < 1) out += attribute("fill-opacity", area.opacity);
+        out += "/>\n";
+    }
     void write(const Polyline& line) {
-        std::string points;
-        for (const glm::dvec2& p : simplified(line.points, 0.05))
-            points += (points.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
-        out += "<polyline fill=\"none\"" + attribute("points", points) +
-               attribute("stroke", colour(line.ink)) + attribute("stroke-width", line.width) +
-               "/>\n";
+        out +=
+            "<polyline fill=\"none\"" + attribute("points", list(simplified(line.points, 0.05))) +
+            attribute("stroke", colour(line.ink)) + attribute("stroke-width", line.width) + "/>\n";
     }
     void write(const Dot& dot) {
         out += "<circle" + attribute("cx", dot.centre.x) + attribute("cy", dot.centre.y) +
@@ -67,7 +62,7 @@ struct Writer {
                attribute("fill", colour(text.ink)) + attribute("font-size", text.size);
         if (text.anchor != Anchor::start)
             out += attribute("text-anchor", anchors[static_cast<int>(text.anchor)]);
-        out += ">" + escaped(text.text) + "</text>\n";
+        out += ">" + markup_text(text.text) + "</text>\n";
     }
 };
 
@@ -79,8 +74,9 @@ std::string to_svg(const Drawing& drawing) {
     writer.out = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", width) +
                  attribute("height", height) + attribute("viewBox", "0 0 " + width + " " + height) +
                  " font-family=\"DejaVu Sans, Verdana, sans-serif\" stroke-linejoin=\"round\"" +
-                 " stroke-linecap=\"round\">\n<title>" + escaped(drawing.title) + "</title>\n" +
+                 " stroke-linecap=\"round\">\n<title>" + markup_text(drawing.title) + "</title>\n" +
                  "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    for (const Area& area : drawing.areas) writer.write(area);
     for (const Polyline& line : drawing.lines) writer.write(line);
     for (const Dot& dot : drawing.dots) writer.write(dot);
     // A rim of the paper's colour keeps text readable where it crosses a line.

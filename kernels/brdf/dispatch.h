@@ -5,6 +5,7 @@
 #define LOBE_BRDF_DISPATCH_H
 
 #include "brdf/brdf.h"
+#include "core/warp.h"
 
 #define LOBE_MODEL(NAME) LOBE_MODEL_##NAME,
 enum { LOBE_BRDFS(LOBE_MODEL) LOBE_MODEL_COUNT };
@@ -32,27 +33,39 @@ int prepare_material(uint model, global const LobeRow* rows, global uchar* prepa
     return 0;
 }
 
-#define LOBE_SCATTER(NAME)                                            \
-    case LOBE_MODEL_##NAME: {                                         \
-        NAME##_prepared m = *(global const NAME##_prepared*)prepared; \
-        LOBE_BRDF_ATTACH(NAME, m, tables)                             \
-        if (wi.z > 0) {                                               \
-            scattering.reflected = NAME##_eval(&m, wo, wi);           \
-            scattering.pdf = NAME##_pdf(&m, wo, wi);                  \
-        }                                                             \
-        scattering.next = NAME##_sample(&m, wo, u);                   \
-        break;                                                        \
+#define LOBE_SCATTER(NAME)                                                     \
+    case LOBE_MODEL_##NAME: {                                                  \
+        NAME##_prepared m = *(global const NAME##_prepared*)prepared;          \
+        LOBE_BRDF_ATTACH(NAME, m, tables)                                      \
+        if (wi.z > 0) {                                                        \
+            scattering.reflected = NAME##_eval(&m, wo, wi);                    \
+            scattering.pdf = NAME##_pdf(&m, wo, wi);                           \
+        }                                                                      \
+        if (LOBE_COSINE_DIRECTIONS) {                                          \
+            scattering.next.weight =                                           \
+                NAME##_eval(&m, wo, scattering.next.wi) / scattering.next.pdf; \
+        } else {                                                               \
+            scattering.next = NAME##_sample(&m, wo, u);                        \
+        }                                                                      \
+        break;                                                                 \
     }
 
 // One visit to the material answers both questions: what goes towards wi (asked only if wi.z > 0)
-// and where to go next. wo.z > 0; both directions in the shading frame.
+// and where to go next. wo.z > 0; both directions in the shading frame. With LOBE_COSINE_DIRECTIONS
+// every model is sampled by the cosine alone: delta lobes are then never met, and perfect mirrors
+// are black.
 Scattering scatter(uint model, global const uchar* prepared, LobeTables tables, real3 wo, real3 wi,
                    real3 u) {
     Scattering scattering;
     scattering.reflected = (real3)(0);
     scattering.pdf = 0;
     scattering.next = brdf_no_sample();
+    if (LOBE_COSINE_DIRECTIONS) {
+        scattering.next.wi = cosine_hemisphere(u.xy);
+        scattering.next.pdf = REAL_INV_PI * scattering.next.wi.z;
+    }
     switch (model) { LOBE_BRDFS(LOBE_SCATTER) }
+    if (LOBE_COSINE_DIRECTIONS) scattering.pdf = REAL_INV_PI * larger(wi.z, 0);
     return scattering;
 }
 

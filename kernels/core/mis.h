@@ -13,4 +13,7 @@ real power_heuristic(real p, real other) {
     return 1 / fma(ratio, ratio, 1);
 }
 
+// p / (p + other): the same for the balance heuristic (9.2.2), as a ratio too.
+real balance_heuristic(real p, real other) { return p > 0 ? 1 / (1 + other / p) : 0; }
+
 #endif

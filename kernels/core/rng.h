@@ -50,9 +50,12 @@ Sampler make_sampler(uint2 seed, uint pixel, uint sample) {
     return sampler;
 }
 
-// A point in [0,1)^2 for one dimension pair: Owen-scrambled Sobol, padded (shuffled for each pair).
-real2 sobol_numbers(const Sampler* sampler, uint dimension) {
-    uint2 bits = scrambled_sobol(sampler->key, dimension, sampler->point);
+// A point in [0,1)^2 for one dimension pair: Owen-scrambled Sobol, padded (shuffled for each pair),
+// or independent numbers by hashing.
+real2 pair_of_numbers(const Sampler* sampler, uint dimension) {
+    uint2 bits = LOBE_INDEPENDENT_NUMBERS
+                     ? pcg4d((uint4)(sampler->key, sampler->point, dimension)).yz
+                     : scrambled_sobol(sampler->key, dimension, sampler->point);
     return (real2)(unit_interval(bits.x), unit_interval(bits.y));
 }
 

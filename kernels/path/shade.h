@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One scattering event: light that is seen, light that is sent for, and where the path goes on.
+// The macros of lobe_scene.h choose between ways that converge to the same picture:
+// LOBE_SENDS_LIGHT and LOBE_SEES_LIGHT, at least one of which is 1, and LOBE_BALANCE_HEURISTIC.
 #ifndef LOBE_PATH_SHADE_H
 #define LOBE_PATH_SHADE_H
 
@@ -10,6 +12,7 @@
 #include "geom/bvh8.h"
 #include "light/light.h"
 #include "path/scene.h"
+#include "path/statistics.h"
 
 // The surface as reflection sees it: both normals on the viewer's side.
 typedef struct {
@@ -35,33 +38,61 @@ real3 local_direction(const ShadingPoint* point, real3 world) {
     return dot(world, point->side) > 0 ? turned : (real3)(0, 0, -1);
 }
 
-// Radiance of the surface itself towards the ray, weighed against having sampled its light.
-// `pdf` is the density with which the ray was sent here; 0 for what only it could find.
+// Light of shapes can be found in two ways: by sending for it, and by seeing it where the path goes
+// on. Where both are in use, the weight of a sample of density `pdf` that the other way makes with
+// density `other`.
+real shared_weight(real pdf, real other) {
+    return LOBE_BALANCE_HEURISTIC ? balance_heuristic(pdf, other) : power_heuristic(pdf, other);
+}
+
+// A direction to send for light. Where light of shapes is only seen, that of points alone.
+LightSample light_to_send_for(const Scene* scene, const Surface* surface, real choice, real2 u) {
+    LightSample light = no_light_sample();
+    if (LOBE_SENDS_LIGHT | LOBE_HAS_POINT_LIGHTS | LOBE_HAS_DISTANT_LIGHTS) {
+        light = sample_light(&scene->lights, &scene->shapes, surface->position, surface->primitive,
+                             choice, u);
+    }
+    if (!LOBE_SENDS_LIGHT && !light.delta) light.pdf = 0;
+    return light;
+}
+
+// Radiance of the surface itself towards the ray, weighed against having sent for it.
+// `pdf` is the density with which the ray came here; 0 for what only it could find.
 real3 seen_light(const Scene* scene, const Ray* ray, const Surface* surface, real pdf) {
     if (surface->light == LOBE_NONE) return (real3)(0);
     real3 radiance = emitted_radiance(&scene->lights, ray, surface);
-    if (pdf == 0 || is_black(radiance)) return radiance;
-    return radiance * power_heuristic(pdf, light_pdf(&scene->lights, ray, surface));
+    if (!LOBE_SENDS_LIGHT || pdf == 0 || is_black(radiance)) return radiance;
+    real sent = light_pdf(&scene->lights, ray, surface);
+    if (!LOBE_SEES_LIGHT) return sent > 0 ? (real3)(0) : radiance;
+    return radiance * shared_weight(pdf, sent);
 }
 
 // Light of one sample of a light source that the surface reflects to the viewer.
 real3 sent_light(const Scene* scene, const Surface* surface, const LightSample* light,
-                 const Scattering* scattering) {
-    if (is_black(scattering->reflected)) return (real3)(0);
+                 const Scattering* scattering, PathCounts* counts) {
+    if (is_black(scattering->reflected)) {
+        counts->light_useless += scene->lights.count > 0 && (LOBE_SENDS_LIGHT | light->delta);
+        return (real3)(0);
+    }
     Ray shadow = leave_surface(surface, light->towards);
     // The margin is for neighbours of the light in its own plane, whose distance is the same.
     shadow.reach = light->distance * (1 - R(1.52587890625e-5));
     shadow.target = light->primitive;
-    if (is_occluded(&scene->geometry, &shadow)) return (real3)(0);
-    real weight = light->delta ? 1 : power_heuristic(light->pdf, scattering->pdf);
+    if (is_occluded(&scene->geometry, &shadow)) {
+        ++counts->light_occluded;
+        return (real3)(0);
+    }
+    ++counts->light_reached;
+    int alone = !LOBE_SEES_LIGHT || light->delta;
+    real weight = alone ? 1 : shared_weight(light->pdf, scattering->pdf);
     return scattering->reflected * light->radiance * (weight / light->pdf);
 }
 
-// Whether the path goes on; if it does, its throughput pays for those that did not. The survival
-// probability is not capped: a cap makes the variance infinite in bright closed scenes.
+// Whether the path, whose throughput is not black, goes on; if it does, its throughput pays for
+// those that did not. The survival probability is not capped: a cap makes the variance infinite in
+// bright closed scenes.
 int survives(real3* throughput, const Sampler* sampler, uint depth) {
     real q = largest_component(*throughput);
-    if (!(q > 0)) return 0;
     if (depth < LOBE_ROULETTE_DEPTH || q >= 1) return 1;
     if (hashed_number(sampler, bounce_dimension(depth, DIMENSION_SURVIVAL)) >= q) return 0;
     *throughput /= q;

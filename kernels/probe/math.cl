@@ -21,6 +21,7 @@ PROBE_TWO(power, real_power)
 PROBE_TWO(log_split, real_log_split)
 PROBE_TWO(angle, real_angle)
 PROBE_TWO(power_heuristic, power_heuristic)
+PROBE_TWO(balance_heuristic, balance_heuristic)
 PROBE_TWO(fresnel_dielectric, fresnel_dielectric)
 
 kernel void math_circle(global const real* turns, global real* out) {

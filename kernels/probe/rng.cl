@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The addressed random numbers for arrays of addresses.
+#include "lobe_scene.h"
+
 #include "core/rng.h"
 
 kernel void rng_pcg4d(global const uint* in, global uint* out) {
@@ -29,6 +31,6 @@ kernel void rng_numbers(uint seed0, uint seed1, global const uint* in, global re
     uint i = get_global_id(0);
     uint4 v = vload4(i, in);
     Sampler sampler = make_sampler((uint2)(seed0, seed1), v.x, v.y);
-    vstore2(sobol_numbers(&sampler, v.z), 0, out + 3 * i);
+    vstore2(pair_of_numbers(&sampler, v.z), 0, out + 3 * i);
     out[3 * i + 2] = hashed_number(&sampler, v.z);
 }

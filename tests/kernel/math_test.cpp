@@ -193,3 +193,10 @@ TEST_F(Math, PowerHeuristicExtremesGiveAWeight) {
     const float w = call2("math_power_heuristic", {3e20f}, {1e20f})[0];
     EXPECT_NEAR(w, 0.9, 1e-6);
 }
+
+TEST_F(Math, BalanceHeuristicExtremesGiveAWeight) {
+    EXPECT_EQ(call2("math_balance_heuristic", {1, 0, 0, 1, 3e38f, 1e-30f, 3e38f, 1e-38f, 1e30f},
+                    {1, 0, 1, 0, 3e38f, 1e30f, 1e-38f, 3e38f, 0}),
+              (std::vector<float>{0.5f, 0, 0, 1, 0.5f, 0, 1, 0, 1}));
+    EXPECT_NEAR(call2("math_balance_heuristic", {3e38f}, {1e38f})[0], 0.75, 1e-6);
+}

@@ -2,14 +2,16 @@
 // The hash and the unit interval: known answers, ranges, independence of neighbouring addresses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 
+#include "base/random.h"
+#include "build/features.h"
 #include "shared/frame.h"
 #include "support/chi_square.h"
 #include "support/probe.h"
-#include "base/random.h"
 
 using namespace lobe;
 using namespace lobe::test;
@@ -61,39 +63,17 @@ double correlation_z(const std::vector<std::array<double, 3>>& a,
     return sum * 12 / std::sqrt(double(a.size()));
 }
 
-}  // namespace
-
-TEST(RngHash, Pcg4dIsAsPublished) {
-    Random random(1);
-    std::vector<cl_uint> in = {0, 0, 0, 0, ~0u, ~0u, ~0u, ~0u, 1, 2, 3, 4};
-    while (in.size() < 4 * 4096) in.push_back(random.word());
-    Buffer<cl_uint> out(test_device(), in.size());
-    run_probe(build_probe("probe/rng.cl"), "rng_pcg4d", in.size() / 4,
-              Buffer<cl_uint>(test_device(), in), out);
-    const std::vector<cl_uint> words = out.read_all();
-    for (std::size_t i = 0; i < in.size(); i += 4) {
-        const Words expected = published_pcg4d({in[i], in[i + 1], in[i + 2], in[i + 3]});
-        for (int k = 0; k < 4; ++k) ASSERT_EQ(words[i + k], expected[k]) << "of word " << i;
-    }
-}
-
-TEST(RngHash, UnitIntervalIsExactAndBelowOne) {
-    std::vector<cl_uint> bits = {0, 255, 256, 0x7fffffff, 0x80000000, 0xffffff00, ~0u};
-    for (cl_uint i = 0; i < 4096; ++i) bits.push_back(~0u - i);
-    Buffer<float> out(test_device(), bits.size());
-    run_probe(build_probe("probe/rng.cl"), "rng_unit_interval", bits.size(),
-              Buffer<cl_uint>(test_device(), bits), out);
-    const std::vector<float> values = out.read_all();
-    for (std::size_t i = 0; i < bits.size(); ++i) {
-        EXPECT_EQ(values[i], std::ldexp(float(bits[i] >> 8), -24));
-        EXPECT_LT(values[i], 1);
-    }
+// The probe with hashed numbers in place of Sobol's.
+Program independent_probe() {
+    Integrator integrator;
+    integrator.sampler = Integrator::Sampler::independent;
+    return build_probe("probe/rng.cl",
+                       {{"lobe_scene.h", scene_header(all_features(), {}, integrator)}});
 }
 
 // Means and the correlations between neighbours: pixels, dimensions, samples (which alternate
 // between replicates), seeds.
-TEST(RngHash, NeighboursAreIndependent) {
-    const Program program = build_probe("probe/rng.cl");
+void expect_independent_neighbours(const Program& program) {
     constexpr std::uint32_t count = 1 << 18;
     const auto along = [&](const std::function<Address(std::uint32_t)>& address,
                            std::uint64_t seed = 1) {
@@ -141,6 +121,65 @@ TEST(RngHash, NeighboursAreIndependent) {
         // Within one address the two of a pair and the hashed one are independent as well.
         EXPECT_TRUE(normal_deviate(correlation_z(base, base, k, (k + 1) % 3), tests));
     }
+}
+
+}  // namespace
+
+TEST(RngHash, Pcg4dIsAsPublished) {
+    Random random(1);
+    std::vector<cl_uint> in = {0, 0, 0, 0, ~0u, ~0u, ~0u, ~0u, 1, 2, 3, 4};
+    while (in.size() < 4 * 4096) in.push_back(random.word());
+    Buffer<cl_uint> out(test_device(), in.size());
+    run_probe(build_probe("probe/rng.cl"), "rng_pcg4d", in.size() / 4,
+              Buffer<cl_uint>(test_device(), in), out);
+    const std::vector<cl_uint> words = out.read_all();
+    for (std::size_t i = 0; i < in.size(); i += 4) {
+        const Words expected = published_pcg4d({in[i], in[i + 1], in[i + 2], in[i + 3]});
+        for (int k = 0; k < 4; ++k) ASSERT_EQ(words[i + k], expected[k]) << "of word " << i;
+    }
+}
+
+TEST(RngHash, UnitIntervalIsExactAndBelowOne) {
+    std::vector<cl_uint> bits = {0, 255, 256, 0x7fffffff, 0x80000000, 0xffffff00, ~0u};
+    for (cl_uint i = 0; i < 4096; ++i) bits.push_back(~0u - i);
+    Buffer<float> out(test_device(), bits.size());
+    run_probe(build_probe("probe/rng.cl"), "rng_unit_interval", bits.size(),
+              Buffer<cl_uint>(test_device(), bits), out);
+    const std::vector<float> values = out.read_all();
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+        EXPECT_EQ(values[i], std::ldexp(float(bits[i] >> 8), -24));
+        EXPECT_LT(values[i], 1);
+    }
+}
+
+TEST(RngHash, NeighboursAreIndependent) {
+    expect_independent_neighbours(build_probe("probe/rng.cl"));
+    expect_independent_neighbours(independent_probe());
+}
+
+// Where no pair of numbers is Sobol's, neither are the samples of one replicate stratified: 64 of
+// them in 64 cells leave a part of exp(-1) of the cells empty, where Sobol leaves none.
+TEST(RngHash, IndependentSamplesOfAReplicateAreNotStratified) {
+    constexpr std::uint32_t pixels = 1 << 12, points = 64;
+    std::vector<Address> all;
+    for (std::uint32_t i = 0; i < pixels * points; ++i)
+        all.push_back({i / points, LOBE_REPLICATES * (i % points), 5});
+    const auto empty_cells = [&](const Program& program) {
+        const auto values = numbers(program, all);
+        double empty = 0;
+        for (std::uint32_t p = 0; p < pixels; ++p) {
+            std::array<int, points> cells{};
+            for (std::uint32_t i = p * points; i < (p + 1) * points; ++i)
+                ++cells[8 * int(8 * values[i][0]) + int(8 * values[i][1])];
+            empty += std::count(cells.begin(), cells.end(), 0);
+        }
+        return empty / pixels;
+    };
+    EXPECT_EQ(empty_cells(build_probe("probe/rng.cl")), 0);
+    // Exact mean and variance of the number of empty cells.
+    const double n = points, q = std::pow(1 - 1 / n, n), both = std::pow(1 - 2 / n, n);
+    const double deviation = std::sqrt((n * q + n * (n - 1) * both - n * n * q * q) / pixels);
+    EXPECT_TRUE(normal_deviate((empty_cells(independent_probe()) - n * q) / deviation, 1));
 }
 
 // Joint distribution of a number with its neighbour's over a grid: not only the correlation.

@@ -164,7 +164,7 @@ dvec3 camera_sample(const Scene& scene, const Tracer& tracer, double x, double y
 Picture trace_on_host(const Scene& scene, std::uint32_t samples, std::uint64_t seed,
                       bool by_chance) {
     const Tracer tracer(scene, by_chance);
-    Picture picture{Film(scene.film.width, scene.film.height), {}, ""};
+    Picture picture{Film(scene.film.width, scene.film.height), {}, {}, ""};
     const std::size_t pixels = picture.film.pixels();
     Random random(seed);
     for (std::uint32_t first = 0; first < samples; first += LOBE_BLOCK) {

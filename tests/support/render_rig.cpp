@@ -34,6 +34,7 @@ testing::AssertionResult student(double difference, double error, double freedom
 Picture render_picture(const Scene& scene, const PictureOptions& options) {
     PackOptions pack;
     pack.all_features = options.general;
+    pack.integrator = options.integrator;
     const KernelText kernels = test_kernels();
     for (const BrdfTable& table : read_brdf_tables(kernels))
         if (render_models.count(table.name)) pack.models.push_back(table);
@@ -47,7 +48,7 @@ Picture render_picture(const Scene& scene, const PictureOptions& options) {
     plan.samples = options.samples;
     plan.tiles_per_launch = options.tiles_per_launch;
     RenderOutcome outcome = render(session, plan);
-    Picture picture{std::move(outcome.film), session.status(), ""};
+    Picture picture{std::move(outcome.film), session.status(), session.statistics(), ""};
     picture.hash = image_hash(estimate(picture.film));
     EXPECT_EQ(picture.status.nonfinite(), 0u);
     EXPECT_EQ(picture.status.negative(), 0u);

@@ -20,11 +20,13 @@ struct PictureOptions {
     std::uint32_t tiles_per_launch = 0;
     bool general = true;  // one kernel for all tests: compiled once
     bool double_precision = false;
+    Integrator integrator;
 };
 
 struct Picture {
     Film film;
     RenderStatus status;
+    RenderStatistics statistics;
     std::string hash;
 };
 

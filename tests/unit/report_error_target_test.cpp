@@ -14,7 +14,7 @@ using namespace lobe::test;
 
 namespace {
 
-constexpr std::uint32_t side = 40;
+constexpr std::uint32_t side = 112;
 constexpr double level = 1, deviation = 0.5;  // of a sample
 
 // Grey noise of a uniform distribution.
@@ -48,7 +48,7 @@ double exact_error(double samples) { return deviation / level / std::sqrt(sample
 // The error at the stop is below the target in 95 of 100 renders at least, and not far below.
 TEST(ErrorTarget, StopsJustBelowTheTarget) {
     Random random(1);
-    constexpr int trials = 60;
+    constexpr int trials = 40;
     int missed = 0;
     for (int i = 0; i < trials; ++i) {
         const Outcome outcome = grow(0.05, random);  // 100 samples
@@ -57,7 +57,7 @@ TEST(ErrorTarget, StopsJustBelowTheTarget) {
         EXPECT_GT(exact_error(outcome.samples), 0.05 * 0.9) << outcome.samples << " samples";
         EXPECT_LT(outcome.looks, 12u);
     }
-    EXPECT_LE(missed, 6);  // of 60 at most 3 expected
+    EXPECT_LE(missed, 6);  // of 40 at most 2 expected
 }
 
 TEST(ErrorTarget, IsQuickWhereLittleIsAsked) {

@@ -5,7 +5,7 @@
 
 #include "lab/parameter_sweep.h"
 #include "lab/measure/plane.h"
-#include "lab/plot/plot_style.h"
+#include "report/chart/plot_style.h"
 
 namespace lobe {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/luminance.h"
 #include "lab/measure/plane.h"
-#include "lab/plot/plot_style.h"
+#include "report/chart/plot_style.h"
 
 namespace lobe {
 namespace {

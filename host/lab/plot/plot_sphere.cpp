@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lab/plot/plot_style.h"
+#include "report/chart/plot_style.h"
 #include "report/raster.h"
 
 namespace lobe {

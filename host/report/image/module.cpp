@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // With text.cpp the only code that knows OpenImageIO. It is a module of its own, opened on demand:
 // loading that library costs some 0.2 s and 130 MB, which `lobe --help` should not pay.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include "report/image_file.h"
@@ -33,6 +34,22 @@ OIIO::ImageSpec make_spec(const ImageFile& image) {
     return spec;
 }
 
+bool put(OIIO::ImageOutput& output, const char* path, const ImageFile& image) {
+    bool good = output.open(path, make_spec(image));
+    if (good && image.bytes) {
+        const std::vector<unsigned char> bytes(image.pixels.begin(), image.pixels.end());
+        good = output.write_image(OIIO::TypeDesc::UINT8, bytes.data());
+    } else if (good) {
+        good = output.write_image(OIIO::TypeDesc::FLOAT, image.pixels.data());
+    }
+    // Both must succeed: some writers notice a full disk only when they close.
+    return output.close() && good;
+}
+
+std::string reason(const OIIO::ImageOutput& output) {
+    return output.has_error() ? output.geterror() : "writing failed";
+}
+
 }  // namespace
 
 extern "C" void lobe_write_image(const char* path, const char* format, const ImageFile& image,
@@ -42,16 +59,20 @@ extern "C" void lobe_write_image(const char* path, const char* format, const Ima
         error = OIIO::geterror();
         return;
     }
-    bool good = output->open(path, make_spec(image));
-    if (good && image.bytes) {
-        const std::vector<unsigned char> bytes(image.pixels.begin(), image.pixels.end());
-        good = output->write_image(OIIO::TypeDesc::UINT8, bytes.data());
-    } else if (good) {
-        good = output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data());
+    if (!put(*output, path, image)) error = reason(*output);
+}
+
+extern "C" void lobe_encode_image(const char* format, const ImageFile& image, std::string& bytes,
+                                  std::string& error) {
+    auto output = OIIO::ImageOutput::create(format);
+    std::vector<unsigned char> memory;
+    OIIO::Filesystem::IOVecOutput proxy(memory);
+    if (!output || !output->set_ioproxy(&proxy)) {
+        error = output ? "the format wants a file" : OIIO::geterror();
+        return;
     }
-    // Both must succeed: some writers notice a full disk only when they close.
-    if (!output->close()) good = false;
-    if (!good) error = output->has_error() ? output->geterror() : "writing failed";
+    if (!put(*output, "memory", image)) error = reason(*output);
+    bytes.assign(memory.begin(), memory.end());
 }
 
 extern "C" void lobe_read_image(const char* path, ImageFile& image, std::string& error) {

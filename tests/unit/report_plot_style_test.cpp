@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/luminance.h"
-#include "lab/plot/plot_style.h"
+#include "report/chart/plot_style.h"
 
 using namespace lobe;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lab/plot/plot_style.h"
+#include "report/chart/plot_style.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +38,17 @@ std::vector<glm::dvec2> stepped(const std::vector<glm::dvec2>& points, double st
         left -= length;
     }
     return out;
+}
+
+// 1, 2, 5 times powers of ten within a range.
+std::vector<double> values_1_2_5(double low, double high) {
+    std::vector<double> all;
+    for (double e = std::floor(std::log10(low)); e <= std::log10(high); e += 1)
+        for (const double digit : {1.0, 2.0, 5.0}) {
+            const double value = digit * std::pow(10.0, e);
+            if (value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9)) all.push_back(value);
+        }
+    return all;
 }
 
 }  // namespace
@@ -83,7 +94,9 @@ std::vector<double> Axis::ticks() const {
         const double step = std::max(1.0, std::ceil(decades / 6));
         for (double e = std::ceil(std::log10(low) - 1e-9); e <= std::log10(high) + 1e-9; e += step)
             all.push_back(std::pow(10.0, e));
-        return all;
+        if (all.size() < 3) all = values_1_2_5(low, high);
+        if (all.size() >= 2) return all;
+        all.clear();
     }
     const double step = round_up((high - low) / 5.5);
     for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1)
