@@ -103,6 +103,7 @@ kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
     }
     ulong out = ((ulong)get_global_id(1) * LOBE_TILE + place.x) * LOBE_REPLICATES;
     for (uint i = 0; i < LOBE_REPLICATES; ++i) sums[out + i] = sum[i];
+    if (frame->lights == 0) counts.light_useless = 0;  // none was sent for
     add_counts(statistics + (ulong)slot * LOBE_STATISTIC_COUNT, &counts);
 }
 

@@ -71,7 +71,7 @@ real3 seen_light(const Scene* scene, const Ray* ray, const Surface* surface, rea
 real3 sent_light(const Scene* scene, const Surface* surface, const LightSample* light,
                  const Scattering* scattering, PathCounts* counts) {
     if (is_black(scattering->reflected)) {
-        counts->light_useless += scene->lights.count > 0 && (LOBE_SENDS_LIGHT | light->delta);
+        if (LOBE_SENDS_LIGHT || light->delta) ++counts->light_useless;
         return (real3)(0);
     }
     Ray shadow = leave_surface(surface, light->towards);

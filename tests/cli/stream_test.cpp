@@ -30,7 +30,7 @@ TEST_F(Cli, ResultsOnStandardOutputNothingElse) {
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.err, "");
     for (const char* word : {"picture  out.exr\npicture  out.png\n", "\nerror    ",
-                             " % relative standard error at 4 samples a pixel\n", "\ntime     ",
+                             " % relative standard error (", " %) at 4 samples a pixel\nmean     ", "\ntime     ",
                              " s: parse ", "samples/s), write ", "\ndevice   ", "\nhash     "})
         EXPECT_TRUE(contains(result.out, word)) << word << "\n" << result.out;
     EXPECT_EQ(files(), "out.exr out.png scene.pbrt");

@@ -13,6 +13,7 @@
 #include "report/html/costs.h"
 #include "report/html/parts.h"
 #include "report/html/pictures.h"
+#include "report/html/render_page.h"
 #include "report/html/report_page.h"
 #include "report/html/rgbe.h"
 #include "report/image_io.h"
@@ -216,4 +217,31 @@ TEST(Html, CostsAreSaidTwice) {
     ASSERT_EQ(section.tables.size(), 1u);
     EXPECT_EQ(section.tables[0].csv[1],
               (std::vector<std::string>{"cold", "0.125", "0", "0", "0", "2.5", "0", "2.625"}));
+}
+
+TEST(Html, ARenderIsAPage) {
+    RenderReport report;
+    report.scene = "scenes/a<b.pbrt";
+    report.width = 800;
+    report.height = 2;
+    report.command = {"lobe", "render", "scenes/a<b.pbrt"};
+    report.features = all_features();
+    Estimate& picture = report.picture;
+    picture.width = 800;
+    picture.height = 2;
+    picture.rgb.assign(3 * 1600, 0.5f);
+    picture.mean_samples = 8;
+    ImageIo images;
+    const std::string unknown = render_page(report, images);
+    EXPECT_EQ(count(unknown, "<img"), 1u);
+    EXPECT_NE(unknown.find("relative standard error is unknown"), std::string::npos);
+    EXPECT_NE(unknown.find("shown is the middle, 700 by 2"), std::string::npos);
+    picture.standard_error.assign(3 * 1600, 0.1f);
+    picture.relative_standard_error = 0.2;
+    report.seconds.render = 3;
+    const std::string known = render_page(report, images);
+    EXPECT_EQ(count(known, "<img"), 2u);
+    for (const char* words : {"Render of a&lt;b.pbrt", "20 %", "10 % needs about", "--error 10%",
+                              "Where the time goes", "What the kernel holds"})
+        EXPECT_NE(known.find(words), std::string::npos) << words;
 }

@@ -9,7 +9,21 @@
 namespace lobe {
 namespace {
 
-constexpr double left = 64, top = 64, plot_width = 560, plot_height = 330, right = 28, bottom = 46;
+constexpr double left = 64, top = 64, plot_width = 560, plot_height = 330, right = 150, bottom = 46;
+
+struct Label {
+    std::string text;
+    Ink ink;
+    glm::dvec2 end;  // of its curve
+    double y;        // where it stands
+};
+
+// For text, which is thinner than a line.
+Ink darker(const Ink& ink) {
+    const auto half = [](int a, int b) { return static_cast<std::uint8_t>((a + b) / 2); };
+    return {half(ink.red, text_ink.red), half(ink.green, text_ink.green),
+            half(ink.blue, text_ink.blue)};
+}
 
 class Plot {
   public:
@@ -41,7 +55,7 @@ class Plot {
         add_guide();
         for (std::size_t i = 0; i < chart_.series.size(); ++i)
             add_series(chart_.series[i], series_ink(i, chart_.series.size()));
-        add_labels(drawing_, curves_, {left + 2, top + 2}, {left + plot_width, top + plot_height});
+        add_end_labels();
         return drawing_;
     }
 
@@ -60,15 +74,14 @@ class Plot {
     }
 
     void add_series(const ChartSeries& series, const Ink& ink) {
-        Curve part{{}, ink, series.label};
+        Polyline part{{}, ink, 1.8};
+        std::optional<glm::dvec2> last;
         Area band{{}, ink, 0.16};
         std::vector<glm::dvec2> lower;
         const auto end_part = [&] {
             band.points.insert(band.points.end(), lower.rbegin(), lower.rend());
             if (band.points.size() >= 4) drawing_.add(band);
-            if (part.points.size() >= 2) drawing_.add(Polyline{part.points, ink, 1.8});
-            if (!part.points.empty()) curves_.push_back(part);
-            if (!part.points.empty()) part.label.clear();  // once a series
+            if (part.points.size() >= 2) drawing_.add(part);
             part.points.clear();
             band.points.clear();
             lower.clear();
@@ -79,12 +92,14 @@ class Plot {
                 continue;
             }
             const glm::dvec2 p = at(series.points[i]);
+            last = p;
             part.points.push_back(p);
             drawing_.add(Dot{p, 2.6, ink});
             if (i >= series.band.size()) continue;
             band.points.push_back({p.x, band_at(series.band[i].y)});
             lower.push_back({p.x, band_at(series.band[i].x)});
         }
+        if (last) labels_.push_back({series.label, darker(ink), *last, 0});
         end_part();
     }
 
@@ -97,7 +112,29 @@ class Plot {
                 {a + s / length * (b - a), a + std::min(s + dash, length) / length * (b - a)},
                 axis_ink,
                 1.2});
-        curves_.push_back({{a, b}, note_ink, label});
+        labels_.push_back({label, note_ink, b, 0});
+    }
+
+    // Each at the right end of its curve, or as near as the others leave room.
+    void add_end_labels() {
+        constexpr double apart = 14;
+        std::sort(labels_.begin(), labels_.end(),
+                  [](const Label& a, const Label& b) { return a.end.y < b.end.y; });
+        double free = top + 4;
+        for (Label& label : labels_) {
+            label.y = std::max(label.end.y, free);
+            free = label.y + apart;
+        }
+        double below = top + plot_height;
+        for (auto label = labels_.rbegin(); label != labels_.rend(); ++label) {
+            label->y = std::min(label->y, below);
+            below = label->y - apart;
+        }
+        for (const Label& label : labels_) {
+            const double x = left + plot_width + 10;
+            drawing_.add(Text{
+                {x, label.y + 4}, fitted(label.text, text_size, right - 12), label.ink, text_size});
+        }
     }
 
     void add_level() {
@@ -133,7 +170,7 @@ class Plot {
     const LineChart& chart_;
     ChartFrame frame_;
     Drawing drawing_;
-    std::vector<Curve> curves_;
+    std::vector<Label> labels_;
 };
 
 }  // namespace

@@ -40,7 +40,8 @@ function set_up(viewer) {
   const hint = make("p", viewer, "note");
   hint.textContent = (pictures.length > 1
     ? "Click the picture or press f: flip between the last two. 1 to 9: choose. " : "") +
-    "+ and −: exposure in half stops. 0: as at first.";
+    (pictures.some(picture => picture.image.dataset.linear)
+      ? "+ and −: exposure in half stops. 0: as at first." : "");
 
   const first_image = pictures[0].image;
   canvas.width = first_image.getAttribute("width");
@@ -108,6 +109,7 @@ function set_up(viewer) {
     event.preventDefault();
   };
   if (pictures.length < 2) choices.hidden = true;
+  label.hidden = !pictures.some(picture => picture.image.dataset.linear);
   viewer.querySelector(".pictures").hidden = true;
   expose(start);
 }

@@ -58,6 +58,8 @@ button[aria-pressed=true] { color: var(--paper); background: var(--ink);
 .exposure { display: flex; align-items: center; gap: .75rem; margin: .75rem 0; font-size: .875rem;
   font-variant-numeric: tabular-nums; }
 .exposure input { width: 18rem; max-width: 45vw; accent-color: var(--accent); }
+.viewer:focus { outline: none; }
+.viewer:focus-visible canvas { outline: 1px solid var(--rule); outline-offset: 4px; }
 :focus-visible { outline: 2px solid var(--accent); outline-offset: 3px; }
 @media print {
   :root { --paper: #fff; --ink: #000; --soft: #444; --rule: #bbb; --tint: #f4f4f4; }
