@@ -71,6 +71,8 @@ void add_options(CLI::App& verb, Options& o) {
     verb.add_flag("--adaptive", o.goals.adaptive,
                   "more samples where the picture is noisier, by a pilot render that is thrown "
                   "away");
+    verb.add_option("--html", o.written.html, "a page of the render that needs nothing beside it")
+        ->type_name("FILE");
     verb.add_flag("--strict", o.strict, "exit with 6 if any sample is not finite");
 }
 
@@ -179,6 +181,7 @@ int run(const Options& options) {
     report.command = options.command_line;
     report.outputs = options.outputs;
     check_outputs(options.outputs, options.written.common.json);
+    if (!options.written.html.empty()) check_writable(options.written.html);
     RenderGoals goals = options.goals;
     const PackedScene packed = prepare(options, kernels, report, goals);
 

@@ -8,12 +8,14 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "base/signals.h"
 #include "report/adaptive.h"
 #include "report/error_target.h"
 #include "report/heavy_tail.h"
+#include "report/html/render_page.h"
 #include "report/picture_facts.h"
 
 namespace lobe {
@@ -184,6 +186,8 @@ void RenderJob::write_pictures() {
 void RenderJob::write() {
     write_pictures();
     report_.seconds.total = total_.seconds();
+    if (!outputs_.html.empty())
+        write_file(outputs_.html, render_page(report_, images_, outputs_.exposure));
     if (outputs_.common.json != "-" && !outputs_.common.quiet)
         std::fputs(to_text(report_).c_str(), stdout);
     if (!outputs_.common.json.empty())

@@ -24,6 +24,7 @@ struct RenderGoals {
 struct RenderOutputs {
     CommonOptions common;
     double exposure = 1;
+    std::string html;  // a page of the render; "" for none
 };
 
 class RenderJob {

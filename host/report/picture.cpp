@@ -19,12 +19,15 @@ ImageFile float_picture(const Estimate& picture, const PictureFacts& facts) {
     const bool errors = !picture.standard_error.empty();
     if (errors)
         file.channels.insert(file.channels.end(), {"StdError.R", "StdError.G", "StdError.B"});
-    file.pixels.reserve(picture.rgb.size() * (errors ? 2 : 1));
+    const bool uneven = picture.samples != picture.mean_samples;
+    if (uneven) file.channels.push_back("SampleCount");
+    file.pixels.reserve(picture.rgb.size() / 3 * file.channels.size());
     for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
         file.pixels.insert(file.pixels.end(), &picture.rgb[i], &picture.rgb[i] + 3);
         if (errors)
             file.pixels.insert(file.pixels.end(), &picture.standard_error[i],
                                &picture.standard_error[i] + 3);
+        if (uneven) file.pixels.push_back(static_cast<float>(picture.sample_counts[i / 3]));
     }
     return file;
 }

@@ -15,7 +15,8 @@ struct PictureFacts {
 };
 
 // Float32 R, G, B and, where known, StdError.R, .G, .B (standard error of each pixel's value; with
-// K replicates it has K - 1 degrees of freedom). Data window = crop, display window = film.
+// K replicates it has K - 1 degrees of freedom); SampleCount where pixels have unlike numbers. Data
+// window = crop, display window = film.
 ImageFile float_picture(const Estimate& picture, const PictureFacts& facts);
 
 // 8 bits a channel, sRGB, after multiplication by `exposure`. Cropped to the window.

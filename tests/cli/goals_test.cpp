@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a render is asked to reach: an error, a time, a number of samples.
-#include "cli.h"
+#include <algorithm>
 
+#include "base/files.h"
+#include "cli.h"
+#include "report/image_io.h"
+
+using namespace lobe;
 using namespace lobe::test;
 
 namespace {
@@ -52,12 +57,26 @@ TEST_F(Goals, TimeIsUsed) {
 }
 
 TEST_F(Goals, AdaptiveTellsItsPilot) {
-    const auto json = render({"-o", "out.exr", "--adaptive", "--spp", "32", "--resolution", "160x120"});
+    const auto json =
+        render({"-o", "out.exr", "--adaptive", "--spp", "32", "--resolution", "160x120"});
     EXPECT_EQ(json["end"]["adaptive"]["pilot_spp"], 8);
     EXPECT_NEAR(json["spp"], 32, 8);
-    const auto again = render({"-o", "out.exr", "--adaptive", "--spp", "32", "--resolution", "160x120"});
+    const auto again =
+        render({"-o", "out.exr", "--adaptive", "--spp", "32", "--resolution", "160x120"});
     EXPECT_EQ(json["image_hash"], again["image_hash"]);
-    EXPECT_NE(json["image_hash"], hash({"-o", "out.exr", "--spp", "32", "--resolution", "160x120"}));
+    const auto channels = ImageIo().read(path("out.exr")).channels;
+    EXPECT_EQ(std::count(channels.begin(), channels.end(), "SampleCount"), 1);
+    EXPECT_NE(json["image_hash"],
+              hash({"-o", "out.exr", "--spp", "32", "--resolution", "160x120"}));
+}
+
+TEST_F(Goals, APageNeedsNothingBesideIt) {
+    render({"-o", "out.exr", "--html", "out.html"});
+    const std::string page = read_file(path("out.html"));
+    EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u) << page.substr(0, 40);
+    EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
+    EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+    EXPECT_EQ(lobe({"render", "scene.pbrt", "--html", "no/out.html"}).code, 5);
 }
 
 TEST_F(Goals, NonsenseIsRefused) {
