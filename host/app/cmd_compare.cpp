@@ -13,7 +13,7 @@
 #include "base/log.h"
 #include "base/signals.h"
 #include "report/image_io.h"
-#include "study/comparison_report.h"
+#include "study/comparison_page.h"
 
 namespace lobe {
 namespace {
@@ -24,11 +24,12 @@ struct Options {
     CommonOptions common;
     SceneOptions scene;
     std::vector<std::string> pair, scenes;
-    std::string a, b, csv, by = "time", expect;
+    std::string a, b, csv, html, by = "time", expect;
     std::optional<std::uint32_t> reference_samples;
     ComparisonPlan plan;
     bool longer = false;
     std::string command_line;
+    std::vector<std::string> command;
 };
 
 void add_arm_options(CLI::App& verb, Options& o) {
@@ -68,6 +69,8 @@ void add_options(CLI::App& verb, Options& o) {
     verb.add_option("--expect", o.expect, "exit with 8 unless A has this verdict")
         ->check(CLI::IsMember({"win", "loss", "tie"}));
     verb.add_option("--csv", o.csv, "write a line for each run")->type_name("FILE");
+    verb.add_option("--html", o.html, "write a page with verdicts, charts and tables")
+        ->type_name("FILE");
 }
 
 // What both arms render, scene by scene.
@@ -153,6 +156,9 @@ void write(const ComparisonReport& report, const Options& o) {
     if (o.common.json != "-" && !o.common.quiet) std::fputs(to_text(report).c_str(), stdout);
     if (!o.common.json.empty()) write_json(o.common.json, to_json(report).dump(2) + "\n");
     if (!o.csv.empty()) write_file(o.csv, to_csv(report));
+    if (o.html.empty()) return;
+    ImageIo images;
+    write_file(o.html, to_html(comparison_page(report, o.command), images));
 }
 
 // 8 where another verdict was expected.
@@ -170,7 +176,7 @@ int exit_code(const ComparisonReport& report, const std::string& expected) {
 int run(const Options& o) {
     set_quiet(o.common.quiet);
     install_signal_handlers();
-    for (const std::string* file : {&o.common.json, &o.csv})
+    for (const std::string* file : {&o.common.json, &o.csv, &o.html})
         if (!file->empty() && *file != "-") check_writable(*file);
     const auto pairs = scene_pairs(o);
     const SceneOptions a = arm_options(o.scene, "--a", o.a), b = arm_options(o.scene, "--b", o.b);
@@ -201,6 +207,7 @@ Command add_compare_command(CLI::App& app, const std::vector<std::string>& comma
     CLI::App* verb = app.add_subcommand(
         "compare", "which of two ways to render has less error, at equal time and equal samples");
     auto options = std::make_shared<Options>();
+    options->command = command_line;
     for (const std::string& word : command_line)
         options->command_line += (options->command_line.empty() ? "" : " ") + word;
     add_options(*verb, *options);

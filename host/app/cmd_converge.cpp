@@ -12,7 +12,7 @@
 #include "base/log.h"
 #include "base/signals.h"
 #include "report/image_io.h"
-#include "study/convergence_report.h"
+#include "study/convergence_page.h"
 
 namespace lobe {
 namespace {
@@ -23,7 +23,8 @@ struct Options {
     std::vector<std::string> paths;
     ConvergencePlan plan;
     std::optional<std::uint32_t> reference_samples;
-    std::string reference, csv, target = "1%", command_line;
+    std::string reference, csv, html, target = "1%", command_line;
+    std::vector<std::string> command;
     bool no_mask = false, cold = false;
 };
 
@@ -44,8 +45,9 @@ void add_reference(CLI::App& verb, Options& o) {
     verb.add_option("--reference", o.reference, "a reference of your own, an EXR of one scene")
         ->type_name("FILE.exr")
         ->excludes(samples);
-    verb.add_flag("--no-mask", o.no_mask,
-                  "compare the pixels in which a light is seen directly too");
+    verb.add_flag(
+        "--no-mask", o.no_mask,
+        "compare the pixels in which a light is seen directly, and their neighbours, too");
 }
 
 void add_options(CLI::App& verb, Options& o) {
@@ -68,6 +70,8 @@ void add_options(CLI::App& verb, Options& o) {
         ->type_name("PART|PERCENT%");
     verb.add_flag("--cold", o.cold, "measure a compilation that no cache can shorten");
     verb.add_option("--csv", o.csv, "write a line for each render")->type_name("FILE");
+    verb.add_option("--html", o.html, "write a page with charts, tables and the reference")
+        ->type_name("FILE");
 }
 
 // "1%" or "0.01".
@@ -131,7 +135,7 @@ class Bench {
         if (!own.has_mask) {  // asked of a render in its place
             ArmRun run = arm.run(reference_seed_bit + 1, 64, stop);
             if (run.stopped) return {};
-            own.masked = run.picture.sees_light;
+            own.masked = widened(run.picture.sees_light, arm.width());
         }
         return own;
     }
@@ -149,7 +153,7 @@ class Bench {
     ImageIo images_;
 };
 
-void write(const ConvergenceResults& results, const Options& o) {
+void write(const ConvergenceResults& results, const Options& o, ImageIo& images) {
     if (o.common.json != "-" && !o.common.quiet) {
         for (const ConvergenceReport& report : results.scenes)
             std::printf("%s\n", to_text(report).c_str());
@@ -157,12 +161,13 @@ void write(const ConvergenceResults& results, const Options& o) {
     }
     if (!o.common.json.empty()) write_json(o.common.json, to_json(results).dump(2) + "\n");
     if (!o.csv.empty()) write_file(o.csv, to_csv(results));
+    if (!o.html.empty()) write_file(o.html, to_html(convergence_page(results, o.command), images));
 }
 
 int run(const Options& o) {
     set_quiet(o.common.quiet);
     install_signal_handlers();
-    for (const std::string* file : {&o.common.json, &o.csv})
+    for (const std::string* file : {&o.common.json, &o.csv, &o.html})
         if (!file->empty() && *file != "-") check_writable(*file);
     const ConvergencePlan plan = plan_of(o);
     const Device device = open_device(o.common.device);
@@ -177,7 +182,8 @@ int run(const Options& o) {
         results.scenes.push_back(std::move(*report));
         if (stop_signal()) break;
     }
-    if (!results.scenes.empty()) write(results, o);
+    ImageIo images;
+    if (!results.scenes.empty()) write(results, o, images);
     return stop_signal() ? stop_exit_code() : 0;
 }
 
@@ -187,6 +193,7 @@ Command add_converge_command(CLI::App& app, const std::vector<std::string>& comm
     CLI::App* verb =
         app.add_subcommand("converge", "how the error of a scene falls with samples and with time");
     auto options = std::make_shared<Options>();
+    options->command = command_line;
     for (const std::string& word : command_line)
         options->command_line += (options->command_line.empty() ? "" : " ") + word;
     add_options(*verb, *options);

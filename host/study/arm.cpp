@@ -41,7 +41,7 @@ std::string hash_content(const PackedScene& packed, const KernelText& kernels) {
 
 Arm::Arm(std::string name, const Device& device, const KernelText& kernels, const Scene& scene,
          const PackOptions& options, double parse_seconds)
-    : name_(std::move(name)) {
+    : device_(device), kernels_(kernels), name_(std::move(name)) {
     Stopwatch watch;
     start_up_.parse = parse_seconds;
     packed_ = pack_scene(scene, options);
@@ -63,6 +63,26 @@ ArmRun Arm::run(std::uint64_t seed, std::uint32_t samples, const std::function<b
         throw Error(ExitCode::internal, "the kernel needed what was compiled out", name_,
                     "render with --features all and report this as a fault of lobe");
     return {seed, samples, estimate(outcome.film), outcome.seconds, outcome.stopped};
+}
+
+void Arm::close() {
+    if (!session_) return;
+    session_->keep_program();
+    earlier_ = status();
+    session_.reset();
+}
+
+void Arm::reopen() {
+    close();
+    session_ = std::make_unique<Session>(device_, kernels_, packed_);
+}
+
+RenderStatus Arm::status() const {
+    RenderStatus sum = earlier_;
+    if (!session_) return sum;
+    const RenderStatus last = session_->status();
+    for (std::size_t i = 0; i < sum.counters.size(); ++i) sum.counters[i] += last.counters[i];
+    return sum;
 }
 
 }  // namespace lobe

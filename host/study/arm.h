@@ -39,8 +39,8 @@ class Arm {
     const std::string& name() const { return name_; }
     const PackedScene& packed() const { return packed_; }
     const StartUp& start_up() const { return start_up_; }
-    std::uint32_t width() const { return session_->width(); }
-    std::uint32_t height() const { return session_->height(); }
+    std::uint32_t width() const { return packed_.frame.window_width; }
+    std::uint32_t height() const { return packed_.frame.window_height; }
 
     // SHA-256 of all that the picture's expectation depends on: the packed scene, the film, the
     // text of the kernel. Not of the integrator's choices.
@@ -49,17 +49,28 @@ class Arm {
     // Renders so many samples a pixel. Throws Error (internal) if the kernel trapped.
     ArmRun run(std::uint64_t seed, std::uint32_t samples, const std::function<bool()>& stop = {});
 
+    // Frees what the device holds; until reopen() nothing may be run.
+    void close();
+    // Uploads the same scene for the same program anew: where its memory lies, which the speed
+    // depends on, is drawn again. start_up() stays as first measured. Throws Error (device).
+    void reopen();
+
     // Sums over all runs so far.
-    RenderStatus status() const { return session_->status(); }
+    RenderStatus status() const;
     // Keeps the compiled kernel for later starts.
-    void keep_program() const { session_->keep_program(); }
+    void keep_program() const {
+        if (session_) session_->keep_program();
+    }
 
   private:
+    const Device& device_;
+    KernelText kernels_;
     std::string name_;
     PackedScene packed_;
     StartUp start_up_;
     std::string content_hash_;
-    std::unique_ptr<Session> session_;
+    std::unique_ptr<Session> session_;  // none while closed
+    RenderStatus earlier_;              // of sessions closed
 };
 
 }  // namespace lobe

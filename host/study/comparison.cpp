@@ -18,11 +18,6 @@ namespace {
 // samples.
 constexpr double same_time = 1.1;
 
-// Two sessions of one and the same program differ in speed for as long as they live, for where
-// their memory happens to lie: some 8 % were seen with PoCL. As the deviation of a log ratio of
-// times; with it, differences below about 12 % are not decided at equal time.
-constexpr double session_noise = 0.05;
-
 // Seconds of a run of so many samples: fixed + per_sample * samples.
 struct RunCost {
     double fixed = 0, per_sample = 0;
@@ -89,8 +84,8 @@ class Experiment {
         const double pixels = static_cast<double>(masked_.size());
         double runs = 0;
         for (std::uint32_t samples : plan.samples) runs += 2.0 * samples;
-        for (double time : plan.times) runs += 2 * time * plan.base_samples;
-        total_ = pixels * (plan.seeds * runs + 2.0 * plan.warm_up * least_samples());
+        for (double time : plan.times) runs += 2 * time * plan.base_samples + warm_up_samples();
+        total_ = pixels * (plan.seeds * runs + warm_up_samples());
     }
 
     const std::vector<bool>& masked() const { return masked_; }
@@ -105,6 +100,7 @@ class Experiment {
     // Arms in the order A B, B A, A B, ...: what drifts slowly touches both alike.
     bool run_row(ComparisonRow& row) {
         for (std::uint32_t s = 0; s < plan_.seeds; ++s) {
+            if (row.equal_time && !reopen(s % 2 == 0)) return false;
             std::optional<ComparedRun> a, b;
             if (s % 2 == 0) a = measure(a_, seed_a(s), row.samples_a);
             b = measure(b_, seed_b(s), row.samples_b);
@@ -133,7 +129,8 @@ class Experiment {
             row.aim_seconds =
                 plan_.base_seconds > 0 ? multiple * plan_.base_seconds : a.seconds(row.samples_a);
             row.samples_b = same ? row.samples_a : even_samples(b.samples(row.aim_seconds));
-            left += pixels * plan_.seeds * (double{1} * row.samples_a + row.samples_b);
+            left += pixels * plan_.seeds *
+                    (double{1} * row.samples_a + row.samples_b + warm_up_samples());
             times.push_back(row);
         }
         total_ = done_ + left;
@@ -144,9 +141,22 @@ class Experiment {
     std::uint32_t least_samples() const {
         return *std::min_element(plan_.samples.begin(), plan_.samples.end());
     }
+    double warm_up_samples() const { return 2.0 * plan_.warm_up * least_samples(); }
     std::uint64_t seed_a(std::uint32_t s) const { return plan_.first_seed + s; }
     std::uint64_t seed_b(std::uint32_t s) const {
         return seed_a(s) + (plan_.own_seeds ? std::uint64_t{1} << 62 : 0);
+    }
+
+    // Two sessions of one and the same program differ in speed for as long as they live, for where
+    // their memory happens to lie: some 8 % were seen with PoCL. So the runs that times are
+    // compared of have one each: what was a fault common to all seeds is noise between them,
+    // which the interval over seeds measures. Both are closed first and opened in the order of the
+    // runs: an allocator that gives the same places again gives them to both arms in turn.
+    bool reopen(bool a_first) {
+        const MeasuredArm &first = a_first ? a_ : b_, &second = a_first ? b_ : a_;
+        for (Arm* arm : {&first.arm, &second.arm}) arm->close();
+        for (Arm* arm : {&first.arm, &second.arm}) arm->reopen();
+        return warm_up();
     }
 
     std::optional<ComparedRun> measure(const MeasuredArm& measured, std::uint64_t seed,
@@ -171,7 +181,6 @@ class Experiment {
         if (!row.equal_time) return;
         row.ratios.timing_noise = std::max(variation(row.a), variation(row.b));
         row.trimmed_ratios.timing_noise = row.ratios.timing_noise;
-        row.ratios.systematic = row.trimmed_ratios.systematic = session_noise;
     }
 
     const MeasuredArm &a_, &b_;
@@ -197,6 +206,8 @@ ComparedArm facts_of(const MeasuredArm& measured, const std::vector<bool>& maske
     facts.integrator = to_text(measured.arm.packed().integrator);
     facts.content_hash = measured.arm.content_hash();
     facts.start_up = measured.arm.start_up();
+    facts.features = measured.arm.packed().features;
+    for (const BrdfTable& model : measured.arm.packed().models) facts.models.push_back(model.name);
     facts.nonfinite = measured.arm.status().nonfinite();
     facts.reference_samples = measured.reference.samples;
     facts.reference_variance = reference_variance(measured.reference, masked);

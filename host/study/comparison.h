@@ -51,6 +51,8 @@ struct ComparisonRow {
 struct ComparedArm {
     std::string name, scene, options, integrator, content_hash;
     StartUp start_up;
+    FeatureSet features;
+    std::vector<std::string> models;
     std::uint32_t nonfinite = 0;          // samples, over all runs
     std::uint32_t reference_samples = 0;  // per pixel
     double reference_variance = 0;        // on the scale of PictureError::mse
@@ -63,7 +65,7 @@ struct SceneComparison {
     ComparedArm a, b;
     bool same_content = false;  // the arms differ in the integrator's choices alone
     std::uint32_t width = 0, height = 0;
-    std::size_t masked = 0;  // pixels in which either reference sees a light directly
+    std::size_t masked = 0;  // pixels that either reference masks
     std::vector<ComparisonRow> rows;
 };
 

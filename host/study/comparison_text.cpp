@@ -76,8 +76,9 @@ std::string arm_line(const char* name, const ComparedArm& arm) {
 std::string scene_text(const SceneComparison& scene) {
     std::string all = arm_line("A", scene.a) + arm_line("B", scene.b);
     all += text("%ux%u pixels", scene.width, scene.height);
-    all += scene.masked ? text(", %zu that see a light directly left out", scene.masked)
-                        : ", none that sees a light directly";
+    all += scene.masked
+               ? text(", %zu that see a light directly, or are next to one, left out", scene.masked)
+               : ", none that sees a light directly";
     all += text("; reference: %u samples", scene.a.reference_samples);
     all += scene.same_content ? ", the same for both\n" : " each\n";
     all += scene_table(scene);

@@ -23,7 +23,7 @@ struct ConvergencePlan {
     unsigned levels = 8;           // at least 2
     unsigned seeds = 16;           // renders of each level, at least 3
     std::uint64_t first_seed = 0;  // render i of level k has seed first_seed + 64 i + k
-    bool mask = true;              // leave out the pixels in which a light is seen directly
+    bool mask = true;              // leave out the pixels that the reference masks
     double target = 0.01;          // the relative error that the time to it is told of
     unsigned resamples = 10000;    // of the bootstrap
 

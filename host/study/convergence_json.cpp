@@ -116,25 +116,27 @@ Json bias_json(const ConvergenceReport& r) {
 }
 
 Json scene_json(const ConvergenceReport& r) {
-    Json json = {{"scene",
-                  {{"path", r.path},
-                   {"content_sha256", r.content_hash},
-                   {"resolution", {r.width, r.height}},
-                   {"triangles", r.triangles},
-                   {"spheres", r.spheres},
-                   {"lights", r.lights},
-                   {"brdfs", r.models},
-                   {"features_compiled", features_json(r, true)},
-                   {"features_left_out", features_json(r, false)}}},
-                 {"sampler", to_text(r.integrator)},
-                 {"seed0", r.plan.first_seed},
-                 {"seeds", r.seeds},
-                 {"masked_pixels", r.masked},
-                 {"mask", r.plan.mask ? "pixels in which a light is seen directly" : "none"},
-                 {"start_up", start_json(r)},
-                 {"reference", reference_json(r)},
-                 {"runs", Json::array()},
-                 {"levels", Json::array()}};
+    Json json = {
+        {"scene",
+         {{"path", r.path},
+          {"content_sha256", r.content_hash},
+          {"resolution", {r.width, r.height}},
+          {"triangles", r.triangles},
+          {"spheres", r.spheres},
+          {"lights", r.lights},
+          {"brdfs", r.models},
+          {"features_compiled", features_json(r, true)},
+          {"features_left_out", features_json(r, false)}}},
+        {"sampler", to_text(r.integrator)},
+        {"seed0", r.plan.first_seed},
+        {"seeds", r.seeds},
+        {"masked_pixels", r.masked},
+        {"mask",
+         r.plan.mask ? "pixels in which a light is seen directly, and their neighbours" : "none"},
+        {"start_up", start_json(r)},
+        {"reference", reference_json(r)},
+        {"runs", Json::array()},
+        {"levels", Json::array()}};
     for (const ConvergenceRun& run : r.runs) json["runs"].push_back(run_json(run, r.start_up));
     for (const ConvergenceLevel& level : r.levels) json["levels"].push_back(level_json(r, level));
     json["fit"] = r.levels.empty() ? Json(nullptr) : fit_json(r);

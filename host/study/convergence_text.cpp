@@ -61,7 +61,9 @@ std::string reference_line(const ConvergenceReport& r) {
 std::string mask_line(const ConvergenceReport& r) {
     if (!r.plan.mask) return "mask       none\n";
     return format(
-        "mask       %zu of %.0f pixels, in which a light is seen directly, are left out\n",
+        "mask       %zu of %.0f pixels, in which a light is seen directly, and their neighbours, "
+        "are "
+        "left out\n",
         r.masked, static_cast<double>(r.width) * r.height);
 }
 

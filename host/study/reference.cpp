@@ -140,9 +140,11 @@ std::optional<Reference> reference_of(const Device& device, const KernelText& ke
                                       const std::function<bool()>& stop) {
     samples = (std::max(samples, 1u) + LOBE_BLOCK - 1) / LOBE_BLOCK * LOBE_BLOCK;
     std::optional<Reference> reference = cached(arm, samples, images);
-    if (reference) return reference;
-    reference = render_reference(device, kernels, arm, samples, stop);
-    if (reference) keep(*reference, arm, images);
+    if (!reference) {
+        reference = render_reference(device, kernels, arm, samples, stop);
+        if (reference) keep(*reference, arm, images);
+    }
+    if (reference) reference->masked = widened(reference->masked, reference->width);
     return reference;
 }
 
@@ -151,12 +153,29 @@ Reference read_reference(const std::string& path, std::uint32_t width, std::uint
     try {
         Reference reference = any_reference(images.read(path), width, height);
         reference.file = path;
+        reference.masked = widened(reference.masked, width);
         return reference;
     } catch (const Error& fault) {
         if (fault.code() != ExitCode::scene || !fault.where().empty()) throw;
         throw Error(ExitCode::scene, fault.what(), path,
                     "give a picture of the same scene, written with --output FILE.exr");
     }
+}
+
+std::vector<bool> widened(const std::vector<bool>& mask, std::uint32_t width) {
+    std::vector<bool> wide = mask;
+    const auto across = static_cast<std::int64_t>(width);
+    const auto down = static_cast<std::int64_t>(mask.size()) / std::max<std::int64_t>(across, 1);
+    for (std::int64_t y = 0; y < down; ++y)
+        for (std::int64_t x = 0; x < across; ++x) {
+            if (!mask[static_cast<std::size_t>(y * across + x)]) continue;
+            for (std::int64_t v = std::max<std::int64_t>(y - 1, 0); v <= std::min(y + 1, down - 1);
+                 ++v)
+                for (std::int64_t u = std::max<std::int64_t>(x - 1, 0);
+                     u <= std::min(x + 1, across - 1); ++u)
+                    wide[static_cast<std::size_t>(v * across + u)] = true;
+        }
+    return wide;
 }
 
 }  // namespace lobe

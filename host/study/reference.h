@@ -17,8 +17,11 @@ struct Reference {
     std::vector<float> rgb;              // 3 a pixel
     std::vector<float> standard_error;   // 3 a pixel
     std::vector<float> luminance_error;  // standard error of the luminance, 1 a pixel
-    std::vector<bool> masked;            // pixels in which a light is seen directly
-    bool has_mask = true;                // whether that is known; else none is masked
+    // Pixels that errors leave out: those in which a light is seen directly, and their neighbours,
+    // in which a run may hit a sliver of it that the reference missed. A file of reference_of()
+    // holds them without the neighbours.
+    std::vector<bool> masked;
+    bool has_mask = true;  // whether that is known; else none is masked
     bool from_cache = false;
     double seconds = 0;  // of rendering it, now or when it was kept; 0 of a file from elsewhere
     std::string file;    // where it is kept; "" if nowhere
@@ -38,9 +41,13 @@ std::optional<Reference> reference_of(const Device& device, const KernelText& ke
                                       const Arm& arm, std::uint32_t samples, ImageIo& images,
                                       const std::function<bool()>& stop = {});
 
-// A reference of the user's own: a picture with R, G, B and, where known, StdError.R, .G, .B. What
-// it does not say is taken to be exact and unmasked. Throws Error (scene) unless it has this size.
+// A reference of the user's own: a picture with R, G, B and, where known, StdError.R, .G, .B and
+// Mask, which is widened. What it does not say is taken to be exact and unmasked. Throws Error
+// (scene) unless it has this size.
 Reference read_reference(const std::string& path, std::uint32_t width, std::uint32_t height,
                          ImageIo& images);
+
+// The mask with all pixels next to one, also at a corner. Row by row, `width` wide.
+std::vector<bool> widened(const std::vector<bool>& mask, std::uint32_t width);
 
 }  // namespace lobe

@@ -27,20 +27,6 @@ double distance_to_border(double mean) {
     return std::max(distance, std::log(1.005));
 }
 
-// Student's interval and p with a normal systematic error added in squares.
-MeanInterval interval_of(const PairedRatios& thing, double confidence) {
-    MeanInterval interval = mean_interval(thing.log_ratios, confidence);
-    if (thing.systematic == 0) return interval;
-    const double half = std::hypot(interval.hi - interval.mean,
-                                   normal_quantile(0.5 + 0.5 * confidence) * thing.systematic);
-    interval.lo = interval.mean - half;
-    interval.hi = interval.mean + half;
-    const double error = std::hypot(standard_error(thing.log_ratios), thing.systematic);
-    const double freedom = static_cast<double>(thing.log_ratios.size()) - 1;
-    interval.p = 2 * student_cdf(-std::fabs(interval.mean) / error, freedom);
-    return interval;
-}
-
 std::string refusal_of(const PairedRatios& thing) {
     if (!thing.refusal.empty()) return thing.refusal;
     if (thing.log_ratios.size() < least_seeds)
@@ -70,7 +56,7 @@ Judgement measure(const PairedRatios& thing) {
         j.ratio = j.lo = j.hi = j.lo_family = j.hi_family = std::nan("");  // unknown
         return j;
     }
-    const MeanInterval interval = interval_of(thing, 1 - verdict_level);
+    const MeanInterval interval = mean_interval(thing.log_ratios, 1 - verdict_level);
     j.ratio = std::exp(interval.mean);
     j.lo = std::exp(interval.lo);
     j.hi = std::exp(interval.hi);
@@ -119,14 +105,12 @@ std::vector<Judgement> judge(const std::vector<PairedRatios>& things) {
         Judgement& j = judgements[i];
         j.p_holm = adjusted[i];
         if (j.verdict == Verdict::refused) continue;
-        const MeanInterval interval = interval_of(things[i], 1 - levels[i]);
+        const MeanInterval interval = mean_interval(things[i].log_ratios, 1 - levels[i]);
         j.lo_family = std::exp(interval.lo);
         j.hi_family = std::exp(interval.hi);
         j.verdict = verdict_of(j);
-        if (j.verdict != Verdict::undecided) continue;
-        const double left = distance_to_border(std::log(j.ratio)) -
-                            normal_quantile(1 - 0.5 * levels[i]) * things[i].systematic;
-        if (left > 0) j.seeds_needed = seeds_for(j.deviation, left);
+        if (j.verdict == Verdict::undecided)
+            j.seeds_needed = seeds_for(j.deviation, distance_to_border(std::log(j.ratio)));
     }
     return judgements;
 }
@@ -137,7 +121,6 @@ PairedRatios combined(const std::vector<PairedRatios>& things) {
     for (const PairedRatios& thing : things) {
         seeds = std::min(seeds, thing.log_ratios.size());
         all.timing_noise = std::max(all.timing_noise, thing.timing_noise);
-        all.systematic = std::max(all.systematic, thing.systematic);
         if (all.refusal.empty()) all.refusal = thing.refusal;
     }
     all.log_ratios.assign(seeds, 0.0);

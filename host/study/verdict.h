@@ -23,24 +23,20 @@ std::string to_text(Verdict verdict);
 // What one thing compared gave.
 struct PairedRatios {
     std::vector<double> log_ratios;  // a seed each; any that is not finite is a refusal
-    double timing_noise = 0;  // coefficient of variation of the time, the worse arm's; 0: no time
-    // Standard deviation of an error that is the same in all ratios, which no seeds average away.
-    double systematic = 0;
+    double timing_noise = 0;   // coefficient of variation of the time, the worse arm's; 0: no time
     std::string refusal = "";  // why there is nothing to judge, if there is not
 };
 
 struct Judgement {
     std::size_t seeds = 0;
-    double ratio = 1, lo = 1, hi = 1;  // exp of the mean log ratio, 95 %: Student's t, widened for
-                                       // what is systematic
+    double ratio = 1, lo = 1, hi = 1;     // exp of the mean log ratio, 95 %: Student's t
     double lo_family = 1, hi_family = 1;  // at the level that Holm leaves it: the verdict's
     double p = 1, p_holm = 1;             // by Student's t, that the ratio is one
     double wilcoxon_p = 1;                // the same by signed ranks
     double deviation = 0;                 // of one log ratio
     Verdict verdict = Verdict::undecided;
     std::string reason;  // of a refusal; else ""
-    // While undecided: seeds that would decide, with a chance of 80 %, if the ratio is as measured;
-    // none where what is systematic is too much for any number of seeds.
+    // While undecided: seeds that would decide, with a chance of 80 %, if the ratio is as measured.
     std::optional<double> seeds_needed;
     // Seeds that show a ratio of 1.05 to differ from one with a chance of 80 %.
     std::optional<double> seeds_for_5_percent;

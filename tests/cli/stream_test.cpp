@@ -29,9 +29,10 @@ TEST_F(Cli, ResultsOnStandardOutputNothingElse) {
     const RunResult result = lobe({"render", "scene.pbrt", "-o", "out.exr", "-o", "out.png"});
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.err, "");
-    for (const char* word : {"picture  out.exr\npicture  out.png\n", "\nerror    ",
-                             " % relative standard error (", " %) at 4 samples a pixel\nmean     ", "\ntime     ",
-                             " s: parse ", "samples/s), write ", "\ndevice   ", "\nhash     "})
+    for (const char* word :
+         {"picture  out.exr\npicture  out.png\n", "\nerror    ", " % relative standard error (",
+          " %) at 4 samples a pixel\nmean     ", "\ntime     ", " s: parse ", "samples/s), write ",
+          "\ndevice   ", "\nhash     "})
         EXPECT_TRUE(contains(result.out, word)) << word << "\n" << result.out;
     EXPECT_EQ(files(), "out.exr out.png scene.pbrt");
 }

@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/statistics.h"
 #include "report/image_io.h"
+#include "study/reference_file.h"
 #include "support/device.h"
 #include "support/probe.h"
 #include "support/scenes.h"
@@ -133,6 +134,33 @@ TEST_F(References, DamagedFilesAreRenderedAnew) {
     ASSERT_TRUE(again);
     EXPECT_FALSE(again->from_cache);
     expect_same(*first, *again);
+}
+
+// Runs hit slivers of the lamp that a reference with few samples misses.
+TEST_F(References, MaskHasTheNeighboursToo) {
+    Arm wall = arm();
+    const auto few = reference(wall, 8);
+    ASSERT_TRUE(few);
+    const std::vector<bool> raw =
+        checked_reference(images_.read(few->file), wall.content_hash()).masked;
+    EXPECT_NE(raw, few->masked);
+    EXPECT_EQ(widened(raw, few->width), few->masked);
+    EXPECT_EQ(reference(wall, 8)->masked, few->masked);  // and is not widened again
+    EXPECT_EQ(read_reference(few->file, 16, 16, images_).masked, few->masked);
+    const ArmRun run = wall.run(1, 256);
+    for (std::size_t p = 0; p < few->masked.size(); ++p)
+        EXPECT_LE(run.picture.sees_light[p], few->masked[p]) << p;
+}
+
+TEST_F(References, ArmsReopenToTheSamePicture) {
+    Arm wall = arm();
+    const double start = wall.start_up().total();
+    const std::vector<float> first = wall.run(1, 8).picture.rgb;
+    wall.close();
+    EXPECT_EQ(wall.width(), 16u);
+    wall.reopen();
+    EXPECT_EQ(wall.run(1, 8).picture.rgb, first);
+    EXPECT_EQ(wall.start_up().total(), start);
 }
 
 TEST_F(References, StoppedOnesAreNotKept) {

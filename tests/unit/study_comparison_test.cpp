@@ -156,3 +156,16 @@ TEST(Comparison, CsvHasALineARun) {
     EXPECT_NE(csv.find("\n\"a,\"\"b\"\".pbrt\",equal_samples,A,0,8,1,0.001,0.0005,0.1\n"),
               std::string::npos);
 }
+
+TEST(Reference, MaskIsWidenedByOnePixel) {
+    std::vector<bool> mask(5 * 4);
+    mask[0] = mask[2 * 5 + 4] = true;
+    const std::vector<bool> wide = widened(mask, 5);
+    const std::string rows =
+        "XX..."
+        "XX.XX"
+        "...XX"
+        "...XX";
+    for (std::size_t p = 0; p < wide.size(); ++p) EXPECT_EQ(wide[p], rows[p] == 'X') << p;
+    EXPECT_TRUE(widened({}, 0).empty());
+}

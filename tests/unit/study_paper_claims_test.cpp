@@ -211,16 +211,3 @@ TEST(PaperFindings, NoiseCutIsAtEqualTime) {
     EXPECT_NEAR(found.cells[0][cosine_sampler].rmse, 1, 0.01);
     EXPECT_NEAR(found.cells[0][cosine_sampler].absolute, 255, 3);
 }
-
-TEST(PaperExperiment, MaskIsWidenedByOnePixel) {
-    std::vector<bool> mask(5 * 4);
-    mask[0] = mask[2 * 5 + 4] = true;
-    const std::vector<bool> wide = widened(mask, 5);
-    const std::string rows =
-        "XX..."
-        "XX.XX"
-        "...XX"
-        "...XX";
-    for (std::size_t p = 0; p < wide.size(); ++p) EXPECT_EQ(wide[p], rows[p] == 'X') << p;
-    EXPECT_TRUE(widened({}, 0).empty());
-}

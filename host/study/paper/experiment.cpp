@@ -117,7 +117,6 @@ class Job {
         for (const PaperSetting& setting : all_.settings)
             for (std::size_t p = 0; p < masked_.size(); ++p)
                 if (setting.reference.masked[p]) masked_[p] = true;
-        masked_ = widened(masked_, all_.width);
         all_.masked = static_cast<std::size_t>(std::count(masked_.begin(), masked_.end(), true));
         for (PaperSetting& setting : all_.settings) {
             setting.mean = mean_luminance(setting.reference, masked_);
@@ -168,22 +167,6 @@ class Job {
 };
 
 }  // namespace
-
-std::vector<bool> widened(const std::vector<bool>& mask, std::uint32_t width) {
-    std::vector<bool> wide = mask;
-    const auto across = static_cast<std::int64_t>(width);
-    const auto down = static_cast<std::int64_t>(mask.size()) / std::max<std::int64_t>(across, 1);
-    for (std::int64_t y = 0; y < down; ++y)
-        for (std::int64_t x = 0; x < across; ++x) {
-            if (!mask[static_cast<std::size_t>(y * across + x)]) continue;
-            for (std::int64_t v = std::max<std::int64_t>(y - 1, 0); v <= std::min(y + 1, down - 1);
-                 ++v)
-                for (std::int64_t u = std::max<std::int64_t>(x - 1, 0);
-                     u <= std::min(x + 1, across - 1); ++u)
-                    wide[static_cast<std::size_t>(v * across + u)] = true;
-        }
-    return wide;
-}
 
 PaperExperiment run_paper(const PaperBench& bench, const PaperPlan& plan,
                           const std::vector<Wearer>& wearers,

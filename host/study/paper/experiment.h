@@ -73,9 +73,6 @@ struct PaperBench {
     ImageIo& images;
 };
 
-// The mask with all pixels next to one, also at a corner. Row by row, `width` wide.
-std::vector<bool> widened(const std::vector<bool>& mask, std::uint32_t width);
-
 // Runs it. Rounds go over the cells there and back, so that a machine that grows slower is shared
 // by all; each cell renders one sample before the first, so that no launch is the first of its
 // kind. A round that was stopped is left out. Shows its progress. Throws Error as Arm::run.
