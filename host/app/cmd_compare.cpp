@@ -28,7 +28,6 @@ struct Options {
     std::optional<std::uint32_t> reference_samples;
     ComparisonPlan plan;
     bool longer = false;
-    std::string command_line;
     std::vector<std::string> command;
 };
 
@@ -158,7 +157,7 @@ void write(const ComparisonReport& report, const Options& o) {
     if (!o.csv.empty()) write_file(o.csv, to_csv(report));
     if (o.html.empty()) return;
     ImageIo images;
-    write_file(o.html, to_html(comparison_page(report, o.command), images));
+    write_file(o.html, to_html(comparison_page(report), images));
 }
 
 // 8 where another verdict was expected.
@@ -182,7 +181,7 @@ int run(const Options& o) {
     const SceneOptions a = arm_options(o.scene, "--a", o.a), b = arm_options(o.scene, "--b", o.b);
     ComparisonReport report;
     report.version = LOBE_VERSION;
-    report.command_line = o.command_line;
+    report.command = o.command;
     report.plan = plan_of(o);
     report.by_time = o.by == "time";
     const Device device = open_device(o.common.device);
@@ -208,8 +207,6 @@ Command add_compare_command(CLI::App& app, const std::vector<std::string>& comma
         "compare", "which of two ways to render has less error, at equal time and equal samples");
     auto options = std::make_shared<Options>();
     options->command = command_line;
-    for (const std::string& word : command_line)
-        options->command_line += (options->command_line.empty() ? "" : " ") + word;
     add_options(*verb, *options);
     return [options] { return run(*options); };
 }

@@ -23,7 +23,7 @@ struct Options {
     std::vector<std::string> paths;
     ConvergencePlan plan;
     std::optional<std::uint32_t> reference_samples;
-    std::string reference, csv, html, target = "1%", command_line;
+    std::string reference, csv, html, target = "1%";
     std::vector<std::string> command;
     bool no_mask = false, cold = false;
 };
@@ -161,7 +161,7 @@ void write(const ConvergenceResults& results, const Options& o, ImageIo& images)
     }
     if (!o.common.json.empty()) write_json(o.common.json, to_json(results).dump(2) + "\n");
     if (!o.csv.empty()) write_file(o.csv, to_csv(results));
-    if (!o.html.empty()) write_file(o.html, to_html(convergence_page(results, o.command), images));
+    if (!o.html.empty()) write_file(o.html, to_html(convergence_page(results), images));
 }
 
 int run(const Options& o) {
@@ -173,7 +173,7 @@ int run(const Options& o) {
     const Device device = open_device(o.common.device);
     ConvergenceResults results;
     results.version = LOBE_VERSION;
-    results.command_line = o.command_line;
+    results.command = o.command;
     Bench bench(o, plan, device);
     for (const std::string& path : o.paths) {
         auto report = bench.measure(path);
@@ -194,8 +194,6 @@ Command add_converge_command(CLI::App& app, const std::vector<std::string>& comm
         app.add_subcommand("converge", "how the error of a scene falls with samples and with time");
     auto options = std::make_shared<Options>();
     options->command = command_line;
-    for (const std::string& word : command_line)
-        options->command_line += (options->command_line.empty() ? "" : " ") + word;
     add_options(*verb, *options);
     return [options] { return run(*options); };
 }

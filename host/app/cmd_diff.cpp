@@ -10,6 +10,7 @@
 #include "app/numbers.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/format.h"
 #include "base/log.h"
 #include "report/error_map.h"
 #include "report/metrics_report.h"
@@ -40,13 +41,6 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
            (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0);
 }
 
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[256];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
-
 // The largest of the channels' relative errors, so that no colour hides in another.
 double worst_relative_rmse(const PictureMetrics& m) {
     double worst = 0;
@@ -69,14 +63,14 @@ Verdict judge(const Options& options, const PictureMetrics& m, bool identical) {
     if (options.tolerance) {
         const double error = worst_relative_rmse(m);
         const bool within = error <= *options.tolerance;
-        hold(within, format("RMSE / mean %.4g is %s the tolerance %g", error,
-                            within ? "within" : "above", *options.tolerance));
+        hold(within, formatted("RMSE / mean %.4g is %s the tolerance %g", error,
+                               within ? "within" : "above", *options.tolerance));
     }
     if (m.p_same && (options.level || !options.tolerance)) {
         const double level = options.level.value_or(usual_level);
         const bool likely = *m.p_same >= level;
-        hold(likely, format("p = %.3g is %s the level %g", *m.p_same,
-                            likely ? "not below" : "below", level));
+        hold(likely, formatted("p = %.3g is %s the level %g", *m.p_same,
+                               likely ? "not below" : "below", level));
     }
     if (v.grounds.empty())
         hold(false,
@@ -139,13 +133,14 @@ Json to_json(const Options& options, const ReadPicture& a, const ReadPicture& b,
 }
 
 [[noreturn]] void fail_nonfinite(const ReadPicture& a, const ReadPicture& b, const OddValues& odd) {
-    throw Error(ExitCode::comparison,
-                format("%zu values are NaN, %zu infinite, %zu standard errors are none: the first "
-                       "at pixel %u,%u",
-                       odd.nan_picture + odd.nan_reference, odd.inf_picture + odd.inf_reference,
-                       odd.standard_errors, odd.first_x, odd.first_y),
-                a.path + " against " + b.path,
-                "--allow-nonfinite compares the other pixels and counts these");
+    throw Error(
+        ExitCode::comparison,
+        formatted("%zu values are NaN, %zu infinite, %zu standard errors are none: the first "
+                  "at pixel %u,%u",
+                  odd.nan_picture + odd.nan_reference, odd.inf_picture + odd.inf_reference,
+                  odd.standard_errors, odd.first_x, odd.first_y),
+        a.path + " against " + b.path,
+        "--allow-nonfinite compares the other pixels and counts these");
 }
 
 int run(const Options& options) {

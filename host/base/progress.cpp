@@ -17,7 +17,7 @@ namespace {
 
 constexpr double bar_interval = 0.1, line_interval = 10;  // seconds
 
-std::string formatted(const char* format, double value, const char* unit) {
+std::string with_unit(const char* format, double value, const char* unit) {
     char text[64];
     std::snprintf(text, sizeof text, format, value, unit);
     return text;
@@ -64,7 +64,7 @@ std::string amount_text(double amount, const std::string& unit) {
         ++power;
     }
     const char* format = amount >= 99.95 ? "%.0f %s" : amount >= 9.995 ? "%.1f %s" : "%.2f %s";
-    return formatted(format, amount, prefixes[power]) + unit;
+    return with_unit(format, amount, prefixes[power]) + unit;
 }
 
 std::string bytes_text(double bytes) {
@@ -74,12 +74,12 @@ std::string bytes_text(double bytes) {
         bytes /= 1024;
         ++power;
     }
-    return formatted(power ? "%.1f %s" : "%.0f %s", bytes, units[power]);
+    return with_unit(power ? "%.1f %s" : "%.0f %s", bytes, units[power]);
 }
 
 std::string progress_text(const ProgressState& state) {
     std::string text = state.what;
-    if (state.total > 0) text += formatted("  %3.0f %%%s", std::floor(100 * fraction(state)), "");
+    if (state.total > 0) text += with_unit("  %3.0f %%%s", std::floor(100 * fraction(state)), "");
     if (state.done > 0 && state.seconds > 0) {
         text += "  " + amount_text(state.done / state.seconds, state.unit) + "/s";
         if (state.total > 0)

@@ -3,25 +3,19 @@
 #include <cstdio>
 #include <functional>
 
+#include "base/format.h"
 #include "report/metrics_report.h"
 #include "report/text_table.h"
 
 namespace lobe {
 namespace {
 
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[256];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
-
-std::string number(double value) { return format("%.4g", value); }
+std::string number(double value) { return formatted("%.4g", value); }
 std::string number(const std::optional<double>& value) {
     return value ? number(*value) : "unknown";
 }
 std::string with_share(double value, double share) {
-    return format("%.4g (%.0f %%)", value, 100 * share);
+    return formatted("%.4g (%.0f %%)", value, 100 * share);
 }
 
 using Cell = std::function<std::string(const ChannelMetrics&)>;
@@ -33,7 +27,7 @@ std::string table_text(const PictureMetrics& m, const std::string& a, const std:
         {"mean of " + b, [](M c) { return number(c.reference_mean); }},
         {"mean difference", [](M c) { return number(c.mean_difference); }},
         {"RMSE", [](M c) { return number(c.rmse); }},
-        {"RMSE / mean", [](M c) { return format("%.4g %%", 100 * c.relative_rmse); }},
+        {"RMSE / mean", [](M c) { return formatted("%.4g %%", 100 * c.relative_rmse); }},
         {"MSE", [](M c) { return number(c.mse_raw); }},
         {"MSE less variance of " + b, [](M c) { return number(c.mse); }},
         {"MSE trimmed (dropped share)",
@@ -51,11 +45,11 @@ std::string table_text(const PictureMetrics& m, const std::string& a, const std:
         {"95 %", [](M c) { return number(c.p95); }},
         {"99 %", [](M c) { return number(c.p99); }},
         {"largest", [](M c) { return number(c.max); }},
-        {"  at pixel", [](M c) { return format("%u,%u", c.max_x, c.max_y); }},
-        {format("RMSE of %ux%u blocks", m.block, m.block),
+        {"  at pixel", [](M c) { return formatted("%u,%u", c.max_x, c.max_y); }},
+        {formatted("RMSE of %ux%u blocks", m.block, m.block),
          [](M c) { return number(c.block_rmse); }},
         {"  worst block from",
-         [](M c) { return format("%u,%u", c.worst_block.x, c.worst_block.y); }},
+         [](M c) { return formatted("%u,%u", c.worst_block.x, c.worst_block.y); }},
         {"  its difference", [](M c) { return number(c.worst_block.difference); }}};
     std::vector<std::string> head = {""};
     for (const ChannelMetrics& c : m.channels) head.push_back(c.name);
@@ -75,10 +69,11 @@ std::string tests_text(const PictureMetrics& m) {
     for (const ChannelMetrics& c : m.channels) {
         const MeanTest& t = *c.test;
         const Deviation& worst = t.worst.deviation;
-        table.add({c.name, format("%.2f", t.image.t), format("%.3g", t.image.p),
-                   format("%u,%u", t.worst.block.x, t.worst.block.y), format("%.2f", worst.t),
-                   format("%.1f", worst.freedom), format("%.3g", t.blocks_p),
-                   format("%.4g / %zu", t.chi_square, t.blocks), format("%.3g", t.chi_square_p)});
+        table.add({c.name, formatted("%.2f", t.image.t), formatted("%.3g", t.image.p),
+                   formatted("%u,%u", t.worst.block.x, t.worst.block.y), formatted("%.2f", worst.t),
+                   formatted("%.1f", worst.freedom), formatted("%.3g", t.blocks_p),
+                   formatted("%.4g / %zu", t.chi_square, t.blocks),
+                   formatted("%.3g", t.chi_square_p)});
     }
     return table.text();
 }
@@ -86,15 +81,15 @@ std::string tests_text(const PictureMetrics& m) {
 std::string odd_text(const OddValues& odd, const std::string& a, const std::string& b) {
     std::string text;
     if (odd.pixels)
-        text += format("not finite: %zu NaN and %zu infinite values in %s, ", odd.nan_picture,
-                       odd.inf_picture, a.c_str()) +
-                format("%zu and %zu in %s, %zu bad standard errors; ", odd.nan_reference,
-                       odd.inf_reference, b.c_str(), odd.standard_errors) +
-                format("%zu values mismatch; %zu pixels are not compared\n",
-                       odd.nan_mismatched + odd.inf_mismatched, odd.pixels);
+        text += formatted("not finite: %zu NaN and %zu infinite values in %s, ", odd.nan_picture,
+                          odd.inf_picture, a.c_str()) +
+                formatted("%zu and %zu in %s, %zu bad standard errors; ", odd.nan_reference,
+                          odd.inf_reference, b.c_str(), odd.standard_errors) +
+                formatted("%zu values mismatch; %zu pixels are not compared\n",
+                          odd.nan_mismatched + odd.inf_mismatched, odd.pixels);
     if (odd.negative_picture + odd.negative_reference)
-        text += format("negative: %zu values in %s, %zu in %s\n", odd.negative_picture, a.c_str(),
-                       odd.negative_reference, b.c_str());
+        text += formatted("negative: %zu values in %s, %zu in %s\n", odd.negative_picture,
+                          a.c_str(), odd.negative_reference, b.c_str());
     return text;
 }
 
@@ -102,9 +97,9 @@ std::string odd_text(const OddValues& odd, const std::string& a, const std::stri
 
 std::string to_text(const PictureMetrics& m, const std::string& picture,
                     const std::string& reference) {
-    std::string text = format("%zu pixels compared", m.pixels);
-    if (m.left_out) text += format(", %zu left out by the mask", m.left_out);
-    text += format("; trimmed figures drop the worst %zu\n", m.trimmed);
+    std::string text = formatted("%zu pixels compared", m.pixels);
+    if (m.left_out) text += formatted(", %zu left out by the mask", m.left_out);
+    text += formatted("; trimmed figures drop the worst %zu\n", m.trimmed);
     text += odd_text(m.odd, picture, reference);
     text += table_text(m, picture, reference);
     if (!m.p_same) return text;
@@ -113,7 +108,7 @@ std::string to_text(const PictureMetrics& m, const std::string& picture,
         text +=
             "luminance: its standard error is bounded by those of R, G and B, so its tests are "
             "careful ones\n";
-    return text + format("p that chance alone makes R, G, B differ so: %.3g\n", *m.p_same);
+    return text + formatted("p that chance alone makes R, G, B differ so: %.3g\n", *m.p_same);
 }
 
 }  // namespace lobe

@@ -22,10 +22,7 @@ PictureFacts picture_facts(const RenderReport& r, const LobeFrame& frame) {
     if (r.status) a["lobe:nonfinite"] = static_cast<int>(r.status->nonfinite());
     a["lobe:partial"] = static_cast<int>(r.partial);
     a["lobe:version"] = r.version;
-    std::string command;
-    for (const std::string& word : r.command)
-        command += (command.empty() ? "" : " ") + shell_word(word);
-    a["lobe:commandLine"] = command;
+    a["lobe:commandLine"] = command_text(r.command);
     if (r.picture.relative_standard_error)
         a["lobe:relativeStandardError"] = *r.picture.relative_standard_error;
     return facts;

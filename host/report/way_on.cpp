@@ -59,6 +59,12 @@ std::string shell_word(const std::string& word) {
     return quoted + "'";
 }
 
+std::string command_text(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
+    return text;
+}
+
 std::optional<WayOn> way_on(double error, double seconds, const std::vector<std::string>& command) {
     if (!(error > 0 && seconds > 0) || !std::isfinite(error)) return {};
     const double next = round_below(error);

@@ -28,6 +28,9 @@ std::string percent_text(double part);
 // "41 s", "7 min", "2.5 h".
 std::string seconds_text(double seconds);
 
+// A command as a shell takes it.
+std::string command_text(const std::vector<std::string>& words);
+
 // A word as a shell takes it for one.
 std::string shell_word(const std::string& word);
 

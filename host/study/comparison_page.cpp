@@ -234,15 +234,14 @@ ReportSection arm_section(const SceneComparison& scene) {
     return section;
 }
 
-ReportEnvironment environment_of(const ComparisonReport& report,
-                                 const std::vector<std::string>& command) {
+ReportEnvironment environment_of(const ComparisonReport& report) {
     const ComparisonPlan& plan = report.plan;
     ReportEnvironment all;
     all.version = report.version;
     all.device = report.device;
     all.seed = seed_range(plan.first_seed, plan.first_seed + plan.seeds - 1) +
                (plan.own_seeds ? " of A, others of B" : " of both");
-    all.command = command;
+    all.command = report.command;
     for (const SceneComparison& scene : report.scenes) {
         const std::string of = report.scenes.size() > 1 ? name_of(scene) + ", " : "";
         all.more.emplace_back(of + "A, content hash", scene.a.content_hash);
@@ -255,8 +254,7 @@ ReportEnvironment environment_of(const ComparisonReport& report,
 
 }  // namespace
 
-ReportPage comparison_page(const ComparisonReport& report,
-                           const std::vector<std::string>& command) {
+ReportPage comparison_page(const ComparisonReport& report) {
     ReportPage page;
     page.title = "A or B";
     for (const SceneComparison& scene : report.scenes)
@@ -265,7 +263,7 @@ ReportPage comparison_page(const ComparisonReport& report,
     page.table = verdict_table(report);
     page.sections = {verdict_section(report), table_section(report)};
     for (const SceneComparison& scene : report.scenes) page.sections.push_back(arm_section(scene));
-    page.environment = environment_of(report, command);
+    page.environment = environment_of(report);
     return page;
 }
 

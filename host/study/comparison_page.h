@@ -9,6 +9,6 @@ namespace lobe {
 
 // The verdicts with their intervals, what is behind them, and every run as CSV. The report is
 // judged; `command` is the command line word by word.
-ReportPage comparison_page(const ComparisonReport& report, const std::vector<std::string>& command);
+ReportPage comparison_page(const ComparisonReport& report);
 
 }  // namespace lobe

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/statistics.h"
+#include "report/way_on.h"
 
 namespace lobe {
 namespace {
@@ -142,7 +143,7 @@ Json to_json(const ComparisonReport& report) {
     const ComparisonPlan& plan = report.plan;
     Json json = {{"schema", 1},
                  {"version", report.version},
-                 {"command", report.command_line},
+                 {"command", command_text(report.command)},
                  {"device", report.device.name},
                  {"driver", report.device.driver},
                  {"seeds", plan.seeds},

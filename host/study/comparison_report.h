@@ -12,7 +12,8 @@
 namespace lobe {
 
 struct ComparisonReport {
-    std::string version, command_line;
+    std::string version;
+    std::vector<std::string> command;
     DeviceInfo device;
     ComparisonPlan plan;
     bool by_time = true;                  // the last sentence is of equal time, else of samples

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "study/convergence_report.h"
+#include "report/way_on.h"
 
 namespace lobe {
 namespace {
@@ -169,7 +170,7 @@ Json environment(const ConvergenceResults& results, const DeviceInfo& device) {
     if (getloadavg(&load, 1) != 1) load = 0;
     return {{"schema", 1},
             {"lobe", {{"version", results.version}, {"fp_contract", "off"}}},
-            {"command", results.command_line},
+            {"command", command_text(results.command)},
             {"device",
              {{"platform", device.platform},
               {"name", device.name},

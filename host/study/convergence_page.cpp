@@ -244,8 +244,7 @@ ReportTable render_table(const ConvergenceResults& results) {
     return table;
 }
 
-ReportEnvironment environment_of(const ConvergenceResults& results,
-                                 const std::vector<std::string>& command) {
+ReportEnvironment environment_of(const ConvergenceResults& results) {
     const ConvergenceReport& first = results.scenes.front();
     ReportEnvironment all;
     all.version = results.version;
@@ -255,7 +254,7 @@ ReportEnvironment environment_of(const ConvergenceResults& results,
         for (const ConvergenceRun& run : r.runs) last = std::max(last, run.seed);
     all.seed = seed_range(first.plan.first_seed, last) + ": " + std::to_string(first.seeds) +
                " of each level, 64 apart";
-    all.command = command;
+    all.command = results.command;
     for (const ConvergenceReport& r : results.scenes) {
         all.more.emplace_back("Scene", r.path);
         all.more.emplace_back("Content hash", r.content_hash);
@@ -271,8 +270,7 @@ ReportEnvironment environment_of(const ConvergenceResults& results,
 
 }  // namespace
 
-ReportPage convergence_page(const ConvergenceResults& results,
-                            const std::vector<std::string>& command) {
+ReportPage convergence_page(const ConvergenceResults& results) {
     Reports measured;
     for (const ConvergenceReport& report : results.scenes)
         if (!report.levels.empty()) measured.push_back(&report);
@@ -293,7 +291,7 @@ ReportPage convergence_page(const ConvergenceResults& results,
         page.sections.push_back(reference_section(report));
     if (!measured.empty()) page.sections.push_back({"Renders", {}, {}, {}, {}, {}});
     if (!measured.empty()) page.sections.back().tables = {render_table(results)};
-    page.environment = environment_of(results, command);
+    page.environment = environment_of(results);
     return page;
 }
 

@@ -9,7 +9,6 @@ namespace lobe {
 
 // The figures of to_text(), charts of the error against samples and time, every render as CSV, and
 // the references. At least one scene; `command` is the command line word by word.
-ReportPage convergence_page(const ConvergenceResults& results,
-                            const std::vector<std::string>& command);
+ReportPage convergence_page(const ConvergenceResults& results);
 
 }  // namespace lobe

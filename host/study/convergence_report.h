@@ -12,7 +12,8 @@ namespace lobe {
 
 // What the whole of a command has in common.
 struct ConvergenceResults {
-    std::string version, command_line;
+    std::string version;
+    std::vector<std::string> command;
     std::vector<ConvergenceReport> scenes;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
+#include "base/format.h"
 #include "base/progress.h"
 #include "base/statistics.h"
 #include "report/sparkline.h"
@@ -11,19 +11,6 @@
 
 namespace lobe {
 namespace {
-
-#if defined(__GNUC__)
-__attribute__((format(printf, 1, 2)))
-#endif
-std::string
-format(const char* pattern, ...) {
-    char text[512];
-    va_list values;
-    va_start(values, pattern);
-    std::vsnprintf(text, sizeof text, pattern, values);
-    va_end(values);
-    return text;
-}
 
 std::string number(double value, const char* pattern = "%.3g") {
     if (!std::isfinite(value)) return "-";
@@ -45,7 +32,7 @@ std::string sampler_name(const Integrator& integrator) {
 
 std::string reference_line(const ConvergenceReport& r) {
     std::string line = "reference  ";
-    if (r.reference.samples) line += format("%u samples a pixel, ", r.reference.samples);
+    if (r.reference.samples) line += formatted("%u samples a pixel, ", r.reference.samples);
     line += r.reference.from_cache    ? "from the cache"
             : r.reference.seconds > 0 ? "rendered now"
                                       : r.reference.file;
@@ -53,14 +40,14 @@ std::string reference_line(const ConvergenceReport& r) {
     if (r.reference_variance == 0)
         line += "; taken to be exact";
     else if (last > 0)
-        line += format("; its variance, 1/%.3g of the last MSE, is subtracted",
-                       last / r.reference_variance);
+        line += formatted("; its variance, 1/%.3g of the last MSE, is subtracted",
+                          last / r.reference_variance);
     return line + "\n";
 }
 
 std::string mask_line(const ConvergenceReport& r) {
     if (!r.plan.mask) return "mask       none\n";
-    return format(
+    return formatted(
         "mask       %zu of %.0f pixels, in which a light is seen directly, and their neighbours, "
         "are "
         "left out\n",
@@ -90,10 +77,10 @@ std::string spark(const ConvergenceReport& r) {
 std::string time_lines(const ConvergenceReport& r) {
     const StartUp& s = r.start_up;
     const ConvergenceFit& f = r.fit;
-    std::string text = format(
+    std::string text = formatted(
         "start-up   %.3g s: parse %.3g, bvh %.3g, compile %.3g (again %.3g%s), upload %.3g\n",
         s.total(), s.parse, s.bvh, s.compile, r.compile_again,
-        r.compile_cold ? format(", cold %.3g", *r.compile_cold).c_str() : "", s.upload);
+        r.compile_cold ? formatted(", cold %.3g", *r.compile_cold).c_str() : "", s.upload);
     text += "time       " + number(f.seconds_per_sample) + " s a sample of every pixel, " +
             number(std::fmax(0, f.overhead)) + " s a render; to unit variance " +
             number(f.unit_variance_seconds) + " s" + interval(f.unit_variance_band) + "\n";
@@ -150,30 +137,30 @@ BiasVerdict judge_bias(const ConvergenceReport& r) {
     verdict.found = by_mean || by_square || by_floor;
     verdict.sentence = verdict.found ? "FOUND" : "none found";
     verdict.sentence +=
-        format(": image mean %+.3g %% +- %.2g %%%s, bias^2 at %u samples %.1f standard errors%s",
-               100 * last.mean_difference.value / r.reference_mean,
-               100 * last.mean_difference.error / r.reference_mean, by_mean ? " (!)" : "",
-               last.samples, verdict.squared_z, by_square ? " (!)" : "");
+        formatted(": image mean %+.3g %% +- %.2g %%%s, bias^2 at %u samples %.1f standard errors%s",
+                  100 * last.mean_difference.value / r.reference_mean,
+                  100 * last.mean_difference.error / r.reference_mean, by_mean ? " (!)" : "",
+                  last.samples, verdict.squared_z, by_square ? " (!)" : "");
     if (verdict.floor_counts)
-        verdict.sentence += format(", b2 %.1f%s", verdict.floor_z, by_floor ? " (!)" : "");
+        verdict.sentence += formatted(", b2 %.1f%s", verdict.floor_z, by_floor ? " (!)" : "");
     return verdict;
 }
 
 std::string to_text(const ConvergenceReport& r) {
-    std::string text = format("scene      %s, %ux%u, %s\n", r.path.c_str(), r.width, r.height,
-                              r.device.name.c_str());
+    std::string text = formatted("scene      %s, %ux%u, %s\n", r.path.c_str(), r.width, r.height,
+                                 r.device.name.c_str());
     text += "sampler    " + to_text(r.integrator) + "\n";
     text += reference_line(r) + mask_line(r);
-    text += format("renders    %u of %u seeds from %llu; 95 %% bands by bootstrap over seeds\n",
-                   r.seeds, r.plan.seeds, static_cast<unsigned long long>(r.plan.first_seed));
+    text += formatted("renders    %u of %u seeds from %llu; 95 %% bands by bootstrap over seeds\n",
+                      r.seeds, r.plan.seeds, static_cast<unsigned long long>(r.plan.first_seed));
     if (r.levels.empty())
         return text + (r.masked == static_cast<std::size_t>(r.width) * r.height
                            ? "no pixel is left to compare: --no-mask compares all\n"
                            : "too few for any figure: at least 3 seeds are needed\n");
     text += "\n" + level_table(r) + "\n";
-    text +=
-        format("relMSE adds epsilon = %.3g to R^2; trimmed: without the worst 0.1 %% of pixels\n",
-               r.relmse_epsilon);
+    text += formatted(
+        "relMSE adds epsilon = %.3g to R^2; trimmed: without the worst 0.1 %% of pixels\n",
+        r.relmse_epsilon);
     return text + fit_lines(r) + time_lines(r);
 }
 

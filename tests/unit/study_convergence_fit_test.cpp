@@ -133,7 +133,7 @@ TEST(ConvergenceFit, NothingToFit) {
         EXPECT_FALSE(judge_bias(r).found);
         EXPECT_NE(to_text(r).find("unknown"), std::string::npos);
         EXPECT_TRUE(
-            to_json({"1", "", {r}})["scenes"][0]["fit"]["target_spp"].dump() == "null" ||
-            std::isnan(to_json({"1", "", {r}})["scenes"][0]["fit"]["target_spp"].get<double>()));
+            to_json({"1", {}, {r}})["scenes"][0]["fit"]["target_spp"].dump() == "null" ||
+            std::isnan(to_json({"1", {}, {r}})["scenes"][0]["fit"]["target_spp"].get<double>()));
     }
 }

@@ -6,12 +6,6 @@
 namespace lobe {
 namespace {
 
-std::string command_text(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
-    return text;
-}
-
 ReportTable features_table(const ReportKernel& kernel) {
     ReportTable table;
     table.title = "What the kernel holds" + (kernel.name.empty() ? "" : ": " + kernel.name);

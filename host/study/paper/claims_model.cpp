@@ -2,23 +2,14 @@
 // The claims about the model itself: each a few measured numbers, then a rule.
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 #include <glm/gtc/constants.hpp>
 
+#include "base/format.h"
 #include "study/paper/claims.h"
 
 namespace lobe {
 namespace {
-
-__attribute__((format(printf, 1, 2))) std::string text(const char* format, ...) {
-    char buffer[400];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(buffer, sizeof buffer, format, arguments);
-    va_end(arguments);
-    return buffer;
-}
 
 constexpr double negligible = 1e-3;  // relative; less of a difference is none
 const double no_less = 1e-30;        // below, a lobe has fallen to nothing
@@ -81,13 +72,13 @@ Claim slower(const LobeValues& values, const std::string& other, const std::stri
     } else {
         claim.holds = Holds::only_if;
         for (const double n : where)
-            claim.condition += text(claim.condition.empty() ? "n = %g" : ", %g", n);
-        if (upper) claim.condition = text("n >= %g", where.front());
+            claim.condition += formatted(claim.condition.empty() ? "n = %g" : ", %g", n);
+        if (upper) claim.condition = formatted("n >= %g", where.front());
         claim.condition += " (tried: 0.1 to 1000)";
     }
     claim.figures =
-        text("n = 100, 20 deg off: %.3g times as bright; least of all: %.3g times, n = %g",
-             excess(values, other, 100)[2], least, least_n);
+        formatted("n = 100, 20 deg off: %.3g times as bright; least of all: %.3g times, n = %g",
+                  excess(values, other, 100)[2], least, least_n);
     return claim;
 }
 
@@ -95,7 +86,7 @@ Claim slower(const LobeValues& values, const std::string& other, const std::stri
 struct Growth {
     double most = 0, angle = 0, from = 0, to = 0;
     std::string text_of() const {
-        return text("%.3g at %g deg, n = %g to %g", most, angle, from, to);
+        return formatted("%.3g at %g deg, n = %g to %g", most, angle, from, to);
     }
 };
 Growth growth(const LobeValues& values, bool normalize) {
@@ -140,7 +131,7 @@ Claim diffuse(const LobeValues& values) {
     if (claim.holds == Holds::only_if)
         claim.condition = "cos phi is read as |cos phi| (lobe = abs)";
     claim.figures =
-        text("least over largest value at n = 0: clamp %.4g, abs %.4g", clamped, absolute);
+        formatted("least over largest value at n = 0: clamp %.4g, abs %.4g", clamped, absolute);
     return claim;
 }
 
@@ -181,13 +172,13 @@ Claim mirror(const LobeValues& values) {
     if (claim.holds == Holds::only_if)
         claim.condition =
             std::string("the lobe is normalised") + (slow ? ", and then only logarithmically" : "");
-    claim.figures = text(
+    claim.figures = formatted(
         "within 10 deg at n = 1e4, 1e8: %.2g, %.2g of the light with ks = 1; normalised %.1f "
         "%%, %.1f %%",
         inside(1e4, false), inside(1e8, false), 100 * (1 - part_4), 100 * (1 - part_8));
     if (normalized && slow)
-        claim.figures += text("; 99 %% would need n = 1e%.0f",
-                              (part_8 * (std::log(1e8) - 1) / 0.01 + 1) / std::log(10.0));
+        claim.figures += formatted("; 99 %% would need n = 1e%.0f",
+                                   (part_8 * (std::log(1e8) - 1) / 0.01 + 1) / std::log(10.0));
     return claim;
 }
 
@@ -203,7 +194,7 @@ Claim listing(const LobeValues& values) {
     const std::vector<DirectionsPair> mirrored = {{{s, 0, s}, {-s, 0, s}}};
     Claim claim{"listing_equals_formula", "the listing computes the formula"};
     claim.holds = most < negligible ? Holds::yes : Holds::no;
-    claim.figures = text(
+    claim.figures = formatted(
         "n = 100: they differ by up to %.2g times the peak; into the mirror "
         "direction at 45 deg the formula gives %.3g, the listing %.3g",
         most, values({"rational", 100, 0}, mirrored)[0], values({"rational", 100, 2}, mirrored)[0]);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "report/way_on.h"
 #include "study/paper/report.h"
 
 namespace lobe {
@@ -101,11 +102,9 @@ Json paper_row() {
 
 Json to_json(const PaperReport& report) {
     const PaperExperiment& e = report.experiment;
-    std::string command;
-    for (const std::string& word : report.command) command += (command.empty() ? "" : " ") + word;
     Json json = {{"schema", 1},
                  {"version", report.version},
-                 {"command_line", command},
+                 {"command_line", command_text(report.command)},
                  {"device", report.device.name},
                  {"driver", report.device.driver},
                  {"scene", report.scene},

@@ -2,32 +2,25 @@
 // `lobe paper` in words and tables.
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
+#include "base/format.h"
 #include "report/text_table.h"
 #include "study/paper/report.h"
 
 namespace lobe {
 namespace {
 
-__attribute__((format(printf, 1, 2))) std::string text(const char* format, ...) {
-    char buffer[400];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(buffer, sizeof buffer, format, arguments);
-    va_end(arguments);
-    return buffer;
-}
-
 const PaperRow paper;
 
 std::string ratio_text(const RatioInterval& r) {
-    return std::isfinite(r.lo) ? text("%.3f (%.3f to %.3f)", r.ratio, r.lo, r.hi)
-                               : text("%.3f", r.ratio);
+    return std::isfinite(r.lo) ? formatted("%.3f (%.3f to %.3f)", r.ratio, r.lo, r.hi)
+                               : formatted("%.3f", r.ratio);
 }
 
-std::string percent(double part) { return std::isfinite(part) ? text("%.2f", 100 * part) : "-"; }
+std::string percent(double part) {
+    return std::isfinite(part) ? formatted("%.2f", 100 * part) : "-";
+}
 
 std::string display_name(const std::string& model) {
     if (model == "phong") return "Phong";
@@ -42,7 +35,8 @@ std::string alike(const ModelSetting& setting) {
 
 std::string range(double a, double b) {
     if (a > b) std::swap(a, b);
-    return text("%.1f", a) == text("%.1f", b) ? text("%.1f", a) : text("%.1f to %.1f", a, b);
+    return formatted("%.1f", a) == formatted("%.1f", b) ? formatted("%.1f", a)
+                                                        : formatted("%.1f to %.1f", a, b);
 }
 
 // Of the claim of lower error.
@@ -60,14 +54,15 @@ std::string said(const FootingFindings& found) {
 std::string ratios_at(const PaperFindings& findings, Footing footing, std::size_t sampler) {
     for (const FootingFindings& f : findings.footings)
         if (f.footing == footing && f.sampler == sampler)
-            return text("%.3f of Phong's and %.3f of modified Phong's", f.against[0].rmse.ratio,
-                        f.against[1].rmse.ratio) +
+            return formatted("%.3f of Phong's and %.3f of modified Phong's",
+                             f.against[0].rmse.ratio, f.against[1].rmse.ratio) +
                    ": " + said(f);
     return "";
 }
 
 std::string colour_text(const glm::dvec3& c) {
-    return c.x == c.y && c.y == c.z ? text("%.4g", c.x) : text("%.4g %.4g %.4g", c.x, c.y, c.z);
+    return c.x == c.y && c.y == c.z ? formatted("%.4g", c.x)
+                                    : formatted("%.4g %.4g %.4g", c.x, c.y, c.z);
 }
 
 std::string table_text(const Rows& rows) {
@@ -98,17 +93,17 @@ std::string footings_legend() {
 Rows error_rows(const PaperReport& report) {
     Rows rows = {{"model", "alike in", "sampler", "s", "error %", "95 %", "trimmed %", "255 |e|"}};
     for (const auto& [i, model] : {std::pair(0, "rational"), {1, "Phong"}, {2, "modified Phong"}})
-        rows.push_back({model, "not said", "the paper's row", text("%.1f", paper.seconds[i]),
-                        text("%.4f", paper.error[i]), "-", "-", "-"});
+        rows.push_back({model, "not said", "the paper's row", formatted("%.1f", paper.seconds[i]),
+                        formatted("%.4f", paper.error[i]), "-", "-", "-"});
     const PaperExperiment& experiment = report.experiment;
     for (std::size_t k = 0; k < paper_samplers.size(); ++k)
         for (std::size_t s = 0; s < experiment.settings.size(); ++s) {
             const ModelSetting& setting = experiment.settings[s].setting;
             const CellFindings& cell = report.findings.cells[s][k];
             rows.push_back({display_name(setting.model), alike(setting), paper_samplers[k].name,
-                            text("%.3f", cell.seconds), percent(cell.rmse),
+                            formatted("%.3f", cell.seconds), percent(cell.rmse),
                             percent(cell.rmse_lo) + " to " + percent(cell.rmse_hi),
-                            percent(cell.trimmed), text("%.3f", cell.absolute)});
+                            percent(cell.trimmed), formatted("%.3f", cell.absolute)});
         }
     return rows;
 }
@@ -116,18 +111,18 @@ Rows error_rows(const PaperReport& report) {
 Rows ratio_rows(const PaperReport& report) {
     Rows rows = {{"alike in", "sampler", "error / Phong", "error / modified", "255 |e| ratios",
                   "time ratios", "verdicts"}};
-    rows.push_back({"not said", "the paper's row", text("%.4f", paper.to_phong),
-                    text("%.4f", paper.to_modified), "-",
-                    text("%.3f, %.3f", paper.seconds[0] / paper.seconds[1],
-                         paper.seconds[0] / paper.seconds[2]),
+    rows.push_back({"not said", "the paper's row", formatted("%.4f", paper.to_phong),
+                    formatted("%.4f", paper.to_modified), "-",
+                    formatted("%.3f, %.3f", paper.seconds[0] / paper.seconds[1],
+                              paper.seconds[0] / paper.seconds[2]),
                     "-"});
     for (const FootingFindings& f : report.findings.footings) {
         const auto& [phong, modified] = f.against;
         rows.push_back(
             {to_text(f.footing), paper_samplers[f.sampler].name, ratio_text(phong.rmse),
              ratio_text(modified.rmse),
-             text("%.3f, %.3f", phong.absolute.ratio, modified.absolute.ratio),
-             text("%.3f, %.3f", phong.time.ratio, modified.time.ratio),
+             formatted("%.3f, %.3f", phong.absolute.ratio, modified.absolute.ratio),
+             formatted("%.3f, %.3f", phong.time.ratio, modified.time.ratio),
              to_text(phong.judgement.verdict) + ", " + to_text(modified.judgement.verdict)});
     }
     return rows;
@@ -139,9 +134,9 @@ Rows parameter_rows(const PaperReport& report) {
     for (std::size_t w = 0; w < e.wearers.size(); ++w)
         for (const PaperSetting& s : e.settings) {
             const LobeParameters& p = s.setting.parameters[w];
-            rows.push_back({e.wearers[w].type + text(" %zu", w + 1), display_name(s.setting.model),
-                            alike(s.setting), colour_text(p.kd), colour_text(p.ks),
-                            text("%.5g", p.n)});
+            rows.push_back({e.wearers[w].type + formatted(" %zu", w + 1),
+                            display_name(s.setting.model), alike(s.setting), colour_text(p.kd),
+                            colour_text(p.ks), formatted("%.5g", p.n)});
         }
     return rows;
 }
@@ -161,18 +156,18 @@ std::string conditions_text(const PaperReport& report) {
     std::string types;
     for (const Wearer& wearer : e.wearers) types += (types.empty() ? "" : ", ") + wearer.type;
     std::string all =
-        report.scene + text(": %ux%u, %u samples a pixel, %zu of %u runs", e.width, e.height,
-                            report.plan.samples, e.rounds, report.plan.runs);
-    all += text(
+        report.scene + formatted(": %ux%u, %u samples a pixel, %zu of %u runs", e.width, e.height,
+                                 report.plan.samples, e.rounds, report.plan.runs);
+    all += formatted(
         " with seeds of their own, in turn\nreferences: %u samples a pixel, one a model and "
         "parameters, shared by the samplers\n",
         report.plan.reference_samples);
-    all += text(
+    all += formatted(
         "masked: %zu pixels in which a reference sees a light directly, and their neighbours\n",
         e.masked);
     if (e.stray)
-        all +=
-            text("warning: %zu times a run saw a light in a pixel that is not masked\n", e.stray);
+        all += formatted("warning: %zu times a run saw a light in a pixel that is not masked\n",
+                         e.stray);
     all += "materials that wear the models: " + types + "\n";
     all += report.device.name + ", " + report.device.driver + "\n";
     if (report.quick)
@@ -190,23 +185,23 @@ std::string verdict_sentence(const PaperReport& report) {
     for (const Footing footing : footings)
         all += std::string(footing == Footing::parameters ? " at " : "; at ") + to_text(footing) +
                " " + ratios_at(f, footing, cosine_sampler);
-    all += text(" (the paper: %.3f and %.3f). ", paper.to_phong, paper.to_modified);
+    all += formatted(" (the paper: %.3f and %.3f). ", paper.to_phong, paper.to_modified);
     std::size_t held = 0, failed = 0;
     for (const FootingFindings& found : f.footings) {
         held += found.holds() == Holds::yes;
         failed += found.holds() == Holds::no;
     }
-    all += text("Over the three samplers it holds in %zu and fails in %zu of %zu cases. ", held,
-                failed, f.footings.size());
+    all += formatted("Over the three samplers it holds in %zu and fails in %zu of %zu cases. ",
+                     held, failed, f.footings.size());
     double least = INFINITY, most = 0;
     for (std::size_t s = 1; s < listing_setting; ++s) {
         least = std::min(least, f.cut[s].ratio);
         most = std::max(most, f.cut[s].ratio);
     }
     all += "At equal time " + std::string(paper_samplers[best_sampler].name) +
-           " sampling cuts the noise to 1/" + text("%.2f", f.cut[0].ratio) +
-           text(" (95 %%: 1/%.2f to 1/%.2f) with the rational model and to 1/", f.cut[0].lo,
-                f.cut[0].hi) +
+           " sampling cuts the noise to 1/" + formatted("%.2f", f.cut[0].ratio) +
+           formatted(" (95 %%: 1/%.2f to 1/%.2f) with the rational model and to 1/", f.cut[0].lo,
+                     f.cut[0].hi) +
            range(least, most) + " with the others.";
     return all;
 }
