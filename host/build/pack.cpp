@@ -187,9 +187,22 @@ std::vector<BrdfTable> tables_in_use(const Scene& scene, const std::vector<BrdfT
     return used;
 }
 
+// A material of too few rows would have its model read those of the next one.
+void check_rows(const Scene& scene, const std::vector<BrdfTable>& models) {
+    for (const Material& material : scene.materials)
+        for (const BrdfTable& table : models)
+            if (table.name == material.brdf && table.parameters.size() != material.rows.size())
+                throw Error(ExitCode::internal,
+                            "a material of the model '" + table.name + "' has " +
+                                std::to_string(material.rows.size()) + " parameters, not " +
+                                std::to_string(table.parameters.size()),
+                            material.where);
+}
+
 }  // namespace
 
 PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
+    check_rows(scene, options.models);
     PackedScene packed;
     packed.placement = place_scene(scene);
     packed.integrator = options.integrator;

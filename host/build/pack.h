@@ -39,7 +39,8 @@ struct PackOptions {
     Integrator integrator;
 };
 
-// Throws Error (scene) for a film or a scene past what 32-bit indices can name. A model that
+// Throws Error (scene) for a film or a scene past what 32-bit indices can name, and Error
+// (internal) for a material that has not one row for each parameter of its model. A model that
 // `options` does not have is taken to be a file of lobe's, brdf/NAME.h.
 PackedScene pack_scene(const Scene& scene, const PackOptions& options = {});
 

@@ -8,33 +8,40 @@ namespace lobe {
 namespace {
 
 constexpr double largest_step = 1.15;  // between looks near the target, in samples
-
-// Where to look next, having `samples` of `needed`. Far away the prediction is poor (Sobol's error
-// falls faster than it supposes), so only half of the way is gone, in the logarithm.
-double next_look(double samples, double needed) {
-    return std::max(std::sqrt(samples * needed), std::min(needed, samples * largest_step));
-}
+constexpr double far_away = 1.3;       // samples needed to those there are, where looks only scout
 
 }  // namespace
 
 bool ErrorTarget::met(const Film& film) {
-    const double samples = film.mean_samples();
-    return samples >= std::max<double>(LOBE_BLOCK, next_look_) && met_at_last(film);
+    if (reached_ || film.mean_samples() < next_look_) return reached_;
+    if (deciding_) return met_at_last(film);
+    look(film);
+    return false;
 }
 
 bool ErrorTarget::met_at_last(const Film& film) {
     if (reached_) return true;
-    const double samples = film.mean_samples();
-    const Estimate look = estimate(film);
-    ++looks_;
-    const double level = 0.05 / (looks_ * (looks_ + 1.0));
-    bound_ = relative_error_bound(look, 1 - level);
-    error_ = error_text(look);
+    ++decisions_;
+    look(film);
     reached_ = bound_ <= relative_;
+    return reached_;
+}
+
+void ErrorTarget::look(const Film& film) {
+    const double samples = film.mean_samples();
+    const Estimate seen = estimate(film);
+    ++looks_;
+    const double decision = std::max(decisions_, 1u);  // this one, or the first to come
+    bound_ = relative_error_bound(seen, 1 - 0.05 / (decision * (decision + 1)));
+    error_ = error_text(seen);
     // A picture that says nothing of its error, being black or masked, never gets better at it.
     needed_ = std::isfinite(bound_) ? samples * std::pow(bound_ / relative_, 2) : 0;
-    next_look_ = needed_ > 0 ? next_look(samples, needed_) : samples * largest_step;
-    return reached_;
+    deciding_ = deciding_ || (needed_ > 0 && needed_ < far_away * samples);
+    // Far away the prediction is poor (Sobol's error falls faster than it supposes), so only half
+    // of the way is gone, in the logarithm.
+    const double scouting = std::sqrt(samples * needed_);
+    const double step = samples * largest_step;
+    next_look_ = needed_ == 0 ? step : deciding_ ? std::min(needed_, step) : scouting;
 }
 
 }  // namespace lobe

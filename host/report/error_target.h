@@ -9,10 +9,11 @@
 namespace lobe {
 
 // Watches a film grow until its relative standard error is below a target with 95 % confidence.
-// Each look is one more chance to be fooled by luck, so look k is held to the level
-// 0.05 / (k (k + 1)); these add up to 0.05. Looks come when the last one's prediction says so,
-// at most 15 % of the samples apart near the end: an error that falls by half for twice the time
-// would else be passed by far.
+// Far from the target looks only scout: they predict the samples needed and end nothing. Near it
+// each look decides, and is one more chance to be fooled by luck, so decision j is held to the
+// level 0.05 / (j (j + 1)); these add up to 0.05. Decisions come when the last look's prediction
+// says so, at most 15 % of the samples apart: an error that falls by half for twice the time would
+// else be passed by far.
 class ErrorTarget {
   public:
     // `relative` is above 0.
@@ -20,7 +21,7 @@ class ErrorTarget {
 
     // Whether the film is good enough. Only looks at it (a pass over all pixels) when it is time.
     bool met(const Film& film);
-    // The same, but looks whether it is time or not: for a film that has come to its end.
+    // The same, but decides whether it is time or not: for a film that has come to its end.
     bool met_at_last(const Film& film);
 
     double relative() const { return relative_; }
@@ -34,10 +35,13 @@ class ErrorTarget {
     const std::string& error() const { return error_; }
 
   private:
+    void look(const Film& film);
+
     double relative_;
-    bool reached_ = false;
-    unsigned looks_ = 0;
-    double bound_ = std::numeric_limits<double>::infinity(), needed_ = 0, next_look_ = 0;
+    bool reached_ = false, deciding_ = false;
+    unsigned looks_ = 0, decisions_ = 0;
+    double bound_ = std::numeric_limits<double>::infinity(), needed_ = 0;
+    double next_look_ = LOBE_BLOCK;
     std::string error_;
 };
 

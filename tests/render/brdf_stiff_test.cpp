@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "base/kernel_text.h"
-#include "scene/brdf_table.h"
 #include "support/device.h"
 #include "support/meshes.h"
 #include "support/render_rig.h"
@@ -16,21 +14,6 @@ using namespace lobe;
 using namespace lobe::test;
 
 namespace {
-
-Material rational(double n, double kd, double ks) {
-    const std::string file = "brdf/rational.h";
-    const BrdfTable table = parse_brdf_table(file, KernelText().read(file));
-    auto rows = table.default_rows();
-    const auto set = [&](const char* name, double value) {
-        const auto v = static_cast<float>(value);
-        rows.at(std::size_t(table.find(name))) = {v, v, v, 0};
-    };
-    set("kd", kd);
-    set("ks", ks);
-    set("n", n);
-    set("normalize", 1);
-    return {"rational", rows, "test", "test"};
-}
 
 // A floor of n = 1e8 that mirrors a lamp of half angle radius / 2.8, seen from close enough that
 // the core of the highlight, 1e-4 rad wide, fills some pixels.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/scenes.h"
 
+#include "scene/brdf_table.h"
 #include "scene/transform.h"
 #include "support/meshes.h"
+#include "support/probe.h"
 #include "support/trace_rig.h"
 
 namespace lobe::test {
@@ -17,6 +19,21 @@ Material lambert(double albedo) {
 }
 
 }  // namespace
+
+Material rational(double n, double kd, double ks) {
+    const std::string file = "brdf/rational.h";
+    const BrdfTable table = parse_brdf_table(file, test_kernels().read(file));
+    auto rows = table.default_rows();
+    const auto set = [&](const char* name, double value) {
+        const auto v = static_cast<float>(value);
+        rows.at(std::size_t(table.find(name))) = {v, v, v, 0};
+    };
+    set("kd", kd);
+    set("ks", ks);
+    set("n", n);
+    set("normalize", 1);
+    return {"rational", rows, "test", "test"};
+}
 
 Scene small_scene(double albedo, std::uint32_t size, double fov) {
     Scene scene;

@@ -10,6 +10,9 @@ namespace lobe::test {
 // the origin that looks along +z with x to the right and y up.
 Scene small_scene(double albedo, std::uint32_t size = 32, double fov = 60);
 
+// The normalised rational model, grey.
+Material rational(double n, double kd, double ks);
+
 // Adds a shape and gives it for changes.
 Shape& add(Scene& scene, Mesh mesh);
 Shape& add(Scene& scene, const glm::dvec3& centre, double radius);

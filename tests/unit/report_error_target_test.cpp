@@ -64,8 +64,8 @@ TEST(ErrorTarget, IsQuickWhereLittleIsAsked) {
     Random random(2);
     const Outcome outcome = grow(0.5, random);
     EXPECT_TRUE(outcome.reached);
-    EXPECT_EQ(outcome.samples, LOBE_BLOCK);
-    EXPECT_EQ(outcome.looks, 1u);
+    EXPECT_EQ(outcome.samples, 2 * LOBE_BLOCK) << "one look to scout, one to decide";
+    EXPECT_EQ(outcome.looks, 2u);
 }
 
 TEST(ErrorTarget, PredictsWhatItNeeds) {
