@@ -131,6 +131,15 @@ TEST_F(Compare, SeveralScenes) {
     EXPECT_NE(result.out.find("All 2 scenes"), std::string::npos);
 }
 
+TEST_F(Compare, APageHoldsVerdictsAndTheCommand) {
+    run({"--b=--sampler independent", "--html", "out.html"});
+    const std::string page = lobe::read_file(path("out.html"));
+    EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u) << page.substr(0, 40);
+    for (const char* part : {"<svg", "--sampler independent", "WIN", "at equal", "download="})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+}
+
 TEST_F(Compare, OptionErrorsNameTheArm) {
     expect_fault(lobe({"compare", "scene.pbrt", "--b", "--sampel independent"}), 2,
                  "in --b: unknown option '--sampel'", "did you mean '--sampler'?");

@@ -48,6 +48,16 @@ TEST_F(Converge, TellsOfErrorAndTime) {
     EXPECT_EQ(csv.compare(0, 20, "scene,seed,spp,wall_"), 0);
 }
 
+TEST_F(Converge, APageHoldsTheSlopeAndTheCommand) {
+    const RunResult result = lobe(words({"--seeds", "8", "--html", "out.html"}), cached());
+    EXPECT_EQ(result.code, 0) << result.err;
+    const std::string page = read_file(path("out.html"));
+    EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u) << page.substr(0, 40);
+    for (const char* part : {"<svg", "converge scene.pbrt", "slope", "download="})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+}
+
 TEST_F(Converge, JsonHoldsEveryRun) {
     const auto json = measure({"--seeds", "3", "--seed", "7", "--sampler", "independent"});
     ASSERT_TRUE(json.is_object());

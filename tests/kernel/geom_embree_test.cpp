@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Against Embree's robust mode on a mesh of 100,000 triangles: an intersector, a hierarchy and a
 // way of rounding that share nothing with ours.
-#include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "support/embree_scene.h"
 #include "support/meshes.h"
 #include "support/trace_rig.h"
 
@@ -14,51 +14,14 @@ using namespace lobe::test;
 
 namespace {
 
-class EmbreeScene {
-  public:
-    explicit EmbreeScene(const Mesh& mesh)
-        : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* p = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size()));
-        for (const glm::dvec3& v : mesh.positions)
-            for (int axis = 0; axis < 3; ++axis) *p++ = float(v[axis]);
-        auto* t = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
-        for (const glm::uvec3& v : mesh.triangles)
-            for (int corner = 0; corner < 3; ++corner) *t++ = v[corner];
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_);
-    }
-    ~EmbreeScene() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-    EmbreeScene(const EmbreeScene&) = delete;
-    EmbreeScene& operator=(const EmbreeScene&) = delete;
-
-    TestHit nearest(const TestRay& ray) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRayHit r{};
-        r.ray.org_x = ray.origin.x, r.ray.org_y = ray.origin.y, r.ray.org_z = ray.origin.z;
-        r.ray.dir_x = ray.direction.x, r.ray.dir_y = ray.direction.y;
-        r.ray.dir_z = ray.direction.z;
-        r.ray.tfar = ray.reach;
-        r.ray.mask = ~0u;
-        r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_, &context, &r);
-        const bool met = r.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-        return {r.ray.tfar, r.hit.u, r.hit.v, met ? r.hit.primID : LOBE_NONE};
-    }
-
-  private:
-    RTCDevice device_;
-    RTCScene scene_;
-};
+TestHit nearest(const EmbreeScene& embree, const TestRay& ray) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit r = embree_ray(ray.origin, ray.direction, ray.reach);
+    rtcIntersect1(embree.get(), &context, &r);
+    const bool met = r.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    return {r.ray.tfar, r.hit.u, r.hit.v, met ? r.hit.primID : LOBE_NONE};
+}
 
 // How near the ray passes to the edges of a triangle, as its smallest weight there in double.
 double smallest_weight(const Mesh& mesh, std::uint32_t primitive, const TestRay& ray) {
@@ -91,7 +54,7 @@ TEST(GeomEmbree, SameHitsUpToEdges) {
     const auto hits = rig.nearest(build_trace_probe(), rays);
     std::size_t met = 0, other = 0, unexplained = 0, far = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const TestHit theirs = embree.nearest(rays[i]), ours = hits[i];
+        const TestHit theirs = nearest(embree, rays[i]), ours = hits[i];
         const bool hit = ours.primitive != LOBE_NONE;
         met += hit;
         if (ours.primitive == theirs.primitive) {
