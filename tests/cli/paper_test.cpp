@@ -70,6 +70,7 @@ TEST_F(Paper, SmallRunHasEverything) {
     EXPECT_NE(html.find("<html"), std::string::npos);
     EXPECT_NE(html.find("DOES NOT HOLD"), std::string::npos);
     EXPECT_NE(html.find("data:image/png"), std::string::npos);
+    EXPECT_EQ(html.find("in turn\\n"), std::string::npos) << "lines of a terminal's text";
 }
 
 TEST_F(Paper, NeedsAMaterialToReplace) {

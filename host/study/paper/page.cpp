@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "report/error_map.h"
 
@@ -12,8 +13,20 @@ namespace {
 constexpr std::uint32_t crop_side = 256;
 constexpr std::array<const char*, 3> model_names = {"rational", "Phong", "modified Phong"};
 
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+std::string in_one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
 ReportTable table(const std::string& title, const Rows& rows, const std::string& note = "") {
-    return {title, rows.front(), {rows.begin() + 1, rows.end()}, {}, note};
+    return {title, rows.front(), {rows.begin() + 1, rows.end()}, {}, in_one_line(note)};
 }
 
 ImageFile cropped(const ImageFile& file, const Crop& crop) {
@@ -191,7 +204,7 @@ ReportPage page_of(const PaperReport& report) {
                            ratio_rows(report));
         ReportSection experiment;
         experiment.heading = "The experiment";
-        experiment.paragraphs = {conditions_text(report)};
+        experiment.paragraphs = lines_of(conditions_text(report));
         experiment.tables = {
             table("Errors and times", error_rows(report), errors_legend()),
             table("What the materials wear", parameter_rows(report), footings_legend())};
