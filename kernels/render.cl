@@ -2,66 +2,8 @@
 // The megakernel: one work-item, one pixel of a tile, one block of samples.
 #include "lobe_scene.h"
 
-#include "path/camera.h"
+#include "path/block.h"
 #include "path/film.h"
-#include "path/scene.h"
-#include "path/shade.h"
-#include "path/statistics.h"
-
-// Radiance that arrives along `ray`. `emitter` tells whether a light is seen directly.
-real3 trace_path(const Scene* scene, global const LobeFrame* frame, Ray ray, const Sampler* sampler,
-                 int* emitter, PathCounts* counts) {
-    real3 radiance = (real3)(0), throughput = (real3)(1);
-    real pdf = 0;  // of the ray's direction; 0: no light sample could have taken it
-    *emitter = 0;
-    for (uint depth = 0;; ++depth) {
-        Hit hit = nearest_hit(&scene->geometry, &ray);
-        if (hit.primitive == LOBE_NONE) {
-            if (LOBE_HAS_ENVIRONMENT) {
-                radiance += throughput * (real3)(frame->environment_r, frame->environment_g,
-                                                 frame->environment_b);
-            }
-            count_end(counts, LOBE_STATISTIC_ESCAPED, depth);
-            return radiance;
-        }
-        Surface surface = surface_at(&scene->shapes, &ray, &hit);
-        radiance += throughput * seen_light(scene, &ray, &surface, pdf);
-        if (depth == 0) *emitter = surface.light != LOBE_NONE;
-        if (depth == frame->max_depth) {
-            count_truncated(counts, throughput, depth);
-            return radiance;
-        }
-
-        ShadingPoint point = shading_point(&surface, &ray);
-        real2 choice = pair_of_numbers(sampler, bounce_dimension(depth, DIMENSION_CHOICE));
-        real2 u = pair_of_numbers(sampler, bounce_dimension(depth, DIMENSION_LIGHT));
-        LightSample light = light_to_send_for(scene, &surface, choice.x, u);
-        real3 wi = light.pdf > 0 ? local_direction(&point, light.towards) : (real3)(0, 0, -1);
-
-        real2 v = pair_of_numbers(sampler, bounce_dimension(depth, DIMENSION_BRDF));
-        global const uchar* prepared =
-            scene->prepared + (ulong)surface.material * LOBE_PREPARED_BYTES;
-        Scattering scattering = scatter(scene->materials[surface.material].model, prepared,
-                                        scene->tables, point.wo, wi, (real3)(v, choice.y));
-        radiance += throughput * sent_light(scene, &surface, &light, &scattering, counts);
-
-        ++counts->directions;
-        real3 direction = to_world(&point.frame, scattering.next.wi);
-        throughput *= scattering.next.weight;
-        // What is not a number must reach the film's counters before a comparison hides it.
-        int sound = isfinite(throughput.x + throughput.y + throughput.z);
-        if (!sound || !(largest_component(throughput) > 0) || dot(direction, point.side) <= 0) {
-            count_end(counts, LOBE_STATISTIC_LOST, depth);
-            return sound ? radiance : throughput;
-        }
-        if (!survives(&throughput, sampler, depth)) {
-            count_end(counts, LOBE_STATISTIC_ROULETTE, depth);
-            return radiance;
-        }
-        pdf = scattering.next.delta ? 0 : scattering.next.pdf;
-        ray = leave_surface(&surface, direction);
-    }
-}
 
 kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
                    global const LobeTriangleLeaf* triangle_leaves,
@@ -89,17 +31,14 @@ kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
     uint number = pixel.y * frame->film_width + pixel.x;
     LobeBlockSum sum[LOBE_REPLICATES] = {{0, 0, 0, 0}};
     PathCounts counts = no_counts();
-    for (uint sample = job.first_sample; sample < job.first_sample + frame->samples; ++sample) {
-        Sampler sampler = make_sampler((uint2)(frame->seed0, frame->seed1), number, sample);
-        real weight;
-        real2 film =
-            film_point(frame, filter, pixel, pair_of_numbers(&sampler, DIMENSION_FILTER), &weight);
-        real2 lens = LOBE_HAS_THIN_LENS ? pair_of_numbers(&sampler, DIMENSION_LENS) : (real2)(0);
-        int emitter;
-        real3 radiance =
-            trace_path(&scene, frame, camera_ray(frame, film, lens), &sampler, &emitter, &counts);
-        add_sample(&sum[sample % LOBE_REPLICATES], radiance, weight, emitter, status, number,
-                   sample);
+    uint last = job.first_sample + frame->samples;
+    for (uint first = job.first_sample; first < last; first += LOBE_ABREAST) {
+        Path paths[LOBE_ABREAST];
+        uint lanes = min(last - first, (uint)LOBE_ABREAST);
+        trace_paths(&scene, frame, filter, pixel, number, first, lanes, paths, &counts);
+        for (uint lane = 0; lane < lanes; ++lane)
+            add_sample(&sum[(first + lane) % LOBE_REPLICATES], &paths[lane], status, number,
+                       first + lane);
     }
     ulong out = ((ulong)get_global_id(1) * LOBE_TILE + place.x) * LOBE_REPLICATES;
     for (uint i = 0; i < LOBE_REPLICATES; ++i) sums[out + i] = sum[i];

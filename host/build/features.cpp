@@ -81,7 +81,7 @@ std::vector<std::string> models_in_use(const Scene& scene) {
 }
 
 std::string scene_header(const FeatureSet& features, const std::vector<BrdfTable>& models,
-                         const Integrator& integrator) {
+                         const Integrator& integrator, unsigned abreast) {
     std::string text = "// What this scene needs of the kernel, and no more.\n";
     for (const FeatureState& state : features)
         text += "#define LOBE_HAS_" + state.name + (state.in ? " 1\n" : " 0\n");
@@ -93,6 +93,7 @@ std::string scene_header(const FeatureSet& features, const std::vector<BrdfTable
     choose("SEES_LIGHT", integrator.strategy != Integrator::Strategy::light);
     choose("BALANCE_HEURISTIC", integrator.heuristic == Integrator::Heuristic::balance);
     choose("COSINE_DIRECTIONS", integrator.directions == Integrator::Directions::cosine);
+    text += "#define LOBE_ABREAST " + std::to_string(abreast) + "\n";
     text += "#define LOBE_BRDFS(X)";
     for (const BrdfTable& model : models) text += " X(" + model.name + ")";
     text += "\n";

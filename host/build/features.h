@@ -37,8 +37,9 @@ FeatureSet all_features();
 // The names of the models that the scene's materials use, sorted.
 std::vector<std::string> models_in_use(const Scene& scene);
 
-// The text of lobe_scene.h, which tells the kernel what to leave out and which models to include.
+// The text of lobe_scene.h, which tells the kernel what to leave out, which models to include and
+// how many samples a work-item takes side by side: 1 or 8.
 std::string scene_header(const FeatureSet& features, const std::vector<BrdfTable>& models,
-                         const Integrator& integrator = {});
+                         const Integrator& integrator = {}, unsigned abreast = 1);
 
 }  // namespace lobe

@@ -9,6 +9,7 @@
 
 #include "cl/cl_error.h"
 #include "cl/device.h"
+#include "cl/large_pages.h"
 
 namespace lobe {
 
@@ -75,8 +76,12 @@ class Buffer {
         const std::size_t allocated = count ? count : 1;  // OpenCL has no empty buffers
         bytes_ = device.memory()->reserve(allocated, sizeof(T), what);
         account_ = device.memory();
+        // A CPU takes memory of the host's for its own.
+        if (device.info().type & CL_DEVICE_TYPE_CPU) host_memory_ = large_pages(bytes_);
+        if (host_memory_) flags |= CL_MEM_USE_HOST_PTR;
         try {
-            buffer_ = checked([&] { return cl::Buffer(device.context(), flags, bytes_); });
+            buffer_ = checked(
+                [&] { return cl::Buffer(device.context(), flags, bytes_, host_memory_.get()); });
         } catch (...) {
             account_->release(bytes_);
             throw;
@@ -88,12 +93,14 @@ class Buffer {
         std::swap(account_, other.account_);
         std::swap(count_, other.count_);
         std::swap(bytes_, other.bytes_);
+        std::swap(host_memory_, other.host_memory_);
     }
 
     cl::CommandQueue queue_;
     cl::Buffer buffer_;
     std::shared_ptr<MemoryAccount> account_;
     std::size_t count_ = 0, bytes_ = 0;
+    std::shared_ptr<void> host_memory_;  // where the device's memory is ours
 };
 
 }  // namespace lobe

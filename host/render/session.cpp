@@ -18,6 +18,9 @@ constexpr std::size_t sums_bytes = 64u << 20;
 // PoCL compiles anew for grids of 65,536 and more.
 constexpr std::uint32_t grid_limit = 65528;
 
+// On CPUs vectors are made of what is written as vectors, on GPUs of work-items.
+unsigned suitable_lanes(const DeviceInfo& info) { return info.type & CL_DEVICE_TYPE_CPU ? 8 : 1; }
+
 unsigned round_up(unsigned value, unsigned grain) { return (value + grain - 1) / grain * grain; }
 
 std::uint32_t tile_count(const LobeFrame& frame) {
@@ -80,7 +83,9 @@ struct Session::Buffers {
 Session::Session(const Device& device, const KernelText& kernels, const PackedScene& scene,
                  const SessionOptions& options)
     : device_(device), options_(options), frame_(scene.frame) {
-    const std::string header = scene_header(scene.features, scene.models, scene.integrator);
+    const std::string header =
+        scene_header(scene.features, scene.models, scene.integrator,
+                     options.abreast ? options.abreast : suitable_lanes(device.info()));
     const std::string source = flatten(kernels, "render.cl", {{"lobe_scene.h", header}});
     program_ = build_program(device, source, {options.double_precision});
     render_ = program_.kernel("render");

@@ -21,7 +21,9 @@ class KernelText;
 struct SessionOptions {
     bool double_precision = false;        // the oracle build
     std::array<unsigned, 2> local{8, 8};  // work-group: any gives the same bits
-    Watchdog* watchdog = nullptr;         // looks after the preparation of the materials
+    unsigned abreast = 0;  // samples that a work-item takes side by side, 1 or 8 with the same
+                           // bits; 0: what suits the device
+    Watchdog* watchdog = nullptr;  // looks after the preparation of the materials
 };
 
 // The status counters of shared/status.h.

@@ -5,9 +5,9 @@
 #ifndef LOBE_CORE_SOBOL_H
 #define LOBE_CORE_SOBOL_H
 
-#include "core/real.h"
+#include "core/abreast.h"
 
-uint reverse_bits(uint x) {
+uints reverse_bits(uints x) {
     x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
     x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
     x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
@@ -16,7 +16,7 @@ uint reverse_bits(uint x) {
 }
 
 // A bijection of 32 bits that looks random in all of them (Wellons, hash-prospector, "lowbias32").
-uint mix_bits(uint x) {
+uints mix_bits(uints x) {
     x ^= x >> 16;
     x *= 0x21f0aaadu;
     x ^= x >> 15;
@@ -26,7 +26,7 @@ uint mix_bits(uint x) {
 
 // A random permutation in which a bit depends on itself and the bits below: on bit-reversed
 // fractions it is a nested uniform scramble. Constants by Vegdahl, "Building a Better LK Hash".
-uint laine_karras(uint x, uint seed) {
+uints laine_karras(uints x, uints seed) {
     x ^= x * 0x3d20adeau;
     x += seed;
     x *= (seed >> 16) | 1u;
@@ -36,7 +36,7 @@ uint laine_karras(uint x, uint seed) {
 
 // Bit-reversed second Sobol coordinate of point i. Its generator is Pascal's triangle modulo two,
 // which by Lucas is "xor of all bits whose position contains mine": five shifts do that.
-uint sobol_second_reversed(uint i) {
+uints sobol_second_reversed(uints i) {
     i ^= (i & 0xaaaaaaaau) >> 1;
     i ^= (i & 0xccccccccu) >> 2;
     i ^= (i & 0xf0f0f0f0u) >> 4;
@@ -44,15 +44,21 @@ uint sobol_second_reversed(uint i) {
     return i ^ (i >> 16);
 }
 
+typedef struct {
+    uints x, y;
+} WordPair;
+
 // Two scrambled coordinates as 32-bit fractions. The order of the points is shuffled for each pair
 // of dimensions, which decorrelates pairs that share a point number.
-uint2 scrambled_sobol(uint2 key, uint pair, uint point) {
-    uint seed = mix_bits(key.x + pair * 0x9e3779b9u);
-    uint seed_x = mix_bits(seed ^ key.y);
-    uint seed_y = mix_bits(seed_x + 0x9e3779b9u);
-    uint i = reverse_bits(laine_karras(reverse_bits(point), seed));
-    return (uint2)(reverse_bits(laine_karras(i, seed_x)),
-                   reverse_bits(laine_karras(sobol_second_reversed(i), seed_y)));
+WordPair scrambled_sobol(uints key_x, uints key_y, uint pair, uints point) {
+    uints seed = mix_bits(key_x + pair * 0x9e3779b9u);
+    uints seed_x = mix_bits(seed ^ key_y);
+    uints seed_y = mix_bits(seed_x + 0x9e3779b9u);
+    uints i = reverse_bits(laine_karras(reverse_bits(point), seed));
+    WordPair words;
+    words.x = reverse_bits(laine_karras(i, seed_x));
+    words.y = reverse_bits(laine_karras(sobol_second_reversed(i), seed_y));
+    return words;
 }
 
 #endif

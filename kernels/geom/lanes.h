@@ -19,14 +19,31 @@ lane_set next_lanes(lane_set set) { return set & (set - 1); }
 
 real8 load_lanes(global const float* row) { return to_real8(vload8(0, row)); }
 
-// Lanes of `names` that differ from `name`, as a mask as wide as a real.
+// Masks as wide as a real from masks as wide as a word, and back.
 #if LOBE_DOUBLE
-mask8 lanes_unlike(uint8 names, uint name) { return convert_long8(names != (uint8)(name)); }
+mask8 wide_mask(int8 mask) { return convert_long8(mask); }
+int8 narrow_mask(mask8 mask) { return convert_int8(mask); }
 #else
-mask8 lanes_unlike(uint8 names, uint name) { return names != (uint8)(name); }
+mask8 wide_mask(int8 mask) { return mask; }
+int8 narrow_mask(mask8 mask) { return mask; }
 #endif
+
+// Lanes of `names` that differ from `name`, or are above it.
+mask8 lanes_unlike(uint8 names, uint name) { return wide_mask(names != (uint8)(name)); }
+mask8 lanes_above(uint8 names, uint name) { return wide_mask(names > (uint8)(name)); }
 
 real8 larger8(real8 a, real8 b) { return a > b ? a : b; }
 real8 smaller8(real8 a, real8 b) { return a < b ? a : b; }
+
+real largest_lane(real8 x) {
+    real largest = x.s0;
+    largest = x.s1 > largest ? x.s1 : largest;
+    largest = x.s2 > largest ? x.s2 : largest;
+    largest = x.s3 > largest ? x.s3 : largest;
+    largest = x.s4 > largest ? x.s4 : largest;
+    largest = x.s5 > largest ? x.s5 : largest;
+    largest = x.s6 > largest ? x.s6 : largest;
+    return x.s7 > largest ? x.s7 : largest;
+}
 
 #endif

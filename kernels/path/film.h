@@ -3,7 +3,7 @@
 #ifndef LOBE_PATH_FILM_H
 #define LOBE_PATH_FILM_H
 
-#include "core/vec.h"
+#include "path/path.h"
 #include "shared/frame.h"
 #include "shared/status.h"
 
@@ -14,10 +14,12 @@ void raise_status(global uint* status, uint counter, uint pixel, uint sample) {
     }
 }
 
-// Adds a sample. A non-finite one is counted and adds nothing; a negative one is counted and added.
-void add_sample(LobeBlockSum* sum, real3 radiance, real weight, int emitter, global uint* status,
-                uint pixel, uint sample) {
-    sum->emitter += emitter ? 1.0f : 0.0f;
+// Adds what a path brought. What is not finite is counted and adds nothing; what is negative is
+// counted and added.
+void add_sample(LobeBlockSum* sum, const Path* path, global uint* status, uint pixel, uint sample) {
+    real3 radiance = path->radiance;
+    real weight = path->weight;
+    sum->emitter += path->emitter ? 1.0f : 0.0f;
     real total = weight * (radiance.x + radiance.y + radiance.z);
     if (!isfinite(total)) {
         raise_status(status, LOBE_STATUS_NONFINITE, pixel, sample);

@@ -67,22 +67,18 @@ real3 seen_light(const Scene* scene, const Ray* ray, const Surface* surface, rea
     return radiance * shared_weight(pdf, sent);
 }
 
-// Light of one sample of a light source that the surface reflects to the viewer.
-real3 sent_light(const Scene* scene, const Surface* surface, const LightSample* light,
-                 const Scattering* scattering, PathCounts* counts) {
-    if (is_black(scattering->reflected)) {
+// Light of one sample of a light source that the surface reflects to the viewer, unless something
+// stands in the way of `shadow`; black if there is none.
+real3 sent_light(const Surface* surface, const LightSample* light, const Scattering* scattering,
+                 Ray* shadow, PathCounts* counts) {
+    if (is_black(scattering->reflected) || is_black(light->radiance)) {
         if (LOBE_SENDS_LIGHT || light->delta) ++counts->light_useless;
         return (real3)(0);
     }
-    Ray shadow = leave_surface(surface, light->towards);
+    *shadow = leave_surface(surface, light->towards);
     // The margin is for neighbours of the light in its own plane, whose distance is the same.
-    shadow.reach = light->distance * (1 - R(1.52587890625e-5));
-    shadow.target = light->primitive;
-    if (is_occluded(&scene->geometry, &shadow)) {
-        ++counts->light_occluded;
-        return (real3)(0);
-    }
-    ++counts->light_reached;
+    shadow->reach = light->distance * (1 - R(1.52587890625e-5));
+    shadow->target = light->primitive;
     int alone = !LOBE_SEES_LIGHT || light->delta;
     real weight = alone ? 1 : shared_weight(light->pdf, scattering->pdf);
     return scattering->reflected * light->radiance * (weight / light->pdf);
@@ -91,10 +87,10 @@ real3 sent_light(const Scene* scene, const Surface* surface, const LightSample* 
 // Whether the path, whose throughput is not black, goes on; if it does, its throughput pays for
 // those that did not. The survival probability is not capped: a cap makes the variance infinite in
 // bright closed scenes.
-int survives(real3* throughput, const Sampler* sampler, uint depth) {
+int survives(real3* throughput, real number, uint depth) {
     real q = largest_component(*throughput);
     if (depth < LOBE_ROULETTE_DEPTH || q >= 1) return 1;
-    if (hashed_number(sampler, bounce_dimension(depth, DIMENSION_SURVIVAL)) >= q) return 0;
+    if (number >= q) return 0;
     *throughput /= q;
     return 1;
 }

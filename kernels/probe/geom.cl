@@ -2,7 +2,7 @@
 // Rays through the hierarchy, and the same rays past every leaf block in a row.
 #include "lobe_scene.h"
 
-#include "geom/bvh8.h"
+#include "geom/packet.h"
 #include "geom/surface.h"
 
 // Eight numbers a ray: origin, direction, reach, spare; two names: from, target.
@@ -38,6 +38,22 @@ kernel void geom_occluded(global const LobeNode* nodes, global const LobeTriangl
     Geometry geometry = {nodes, triangles, spheres};
     Ray ray = probe_ray(rays, names, i);
     occluded[i] = is_occluded(&geometry, &ray);
+}
+
+// The same for eight rays at a time, a work-item's; they start on no primitive and reach
+// everywhere.
+kernel void geom_nearest_together(global const LobeNode* nodes,
+                                  global const LobeTriangleLeaf* triangles,
+                                  global const LobeSphereLeaf* spheres, global const real* rays,
+                                  global const uint* names, global real* out,
+                                  global uint* primitives) {
+    uint first = get_global_id(0) * LOBE_WIDTH;
+    Geometry geometry = {nodes, triangles, spheres};
+    Ray packet[LOBE_WIDTH];
+    for (uint i = 0; i < LOBE_WIDTH; ++i) packet[i] = probe_ray(rays, names, first + i);
+    Hit hits[LOBE_WIDTH];
+    nearest_hits(&geometry, packet, hits);
+    for (uint i = 0; i < LOBE_WIDTH; ++i) store_hit(&hits[i], first + i, out, primitives);
 }
 
 // The nearest of all leaf blocks, each visited: what the hierarchy must find.

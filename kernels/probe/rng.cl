@@ -4,9 +4,12 @@
 
 #include "core/rng.h"
 
+#if LOBE_ABREAST == 1
 kernel void rng_pcg4d(global const uint* in, global uint* out) {
     uint i = get_global_id(0);
-    vstore4(pcg4d(vload4(i, in)), i, out);
+    uint4 v = vload4(i, in);
+    FourWords words = pcg4d(v.x, v.y, v.z, v.w);
+    vstore4((uint4)(words.x, words.y, words.z, words.w), i, out);
 }
 
 kernel void rng_unit_interval(global const uint* bits, global real* out) {
@@ -23,14 +26,20 @@ kernel void rng_plain_sobol(global const uint* points, global uint* out) {
 kernel void rng_scrambled_sobol(global const uint* in, global uint* out) {
     uint i = get_global_id(0);
     uint4 v = vload4(i, in);
-    vstore2(scrambled_sobol(v.xy, v.z, v.w), i, out);
+    WordPair words = scrambled_sobol(v.x, v.y, v.z, v.w);
+    vstore2((uint2)(words.x, words.y), i, out);
 }
+#endif
 
 // in: pixel, sample, pair of dimensions, spare. out: the pair, then the independent number
 kernel void rng_numbers(uint seed0, uint seed1, global const uint* in, global real* out) {
     uint i = get_global_id(0);
     uint4 v = vload4(i, in);
-    Sampler sampler = make_sampler((uint2)(seed0, seed1), v.x, v.y);
-    vstore2(pair_of_numbers(&sampler, v.z), 0, out + 3 * i);
-    out[3 * i + 2] = hashed_number(&sampler, v.z);
+    uint lane = v.y % LOBE_ABREAST;
+    Sampler sampler = make_sampler((uint2)(seed0, seed1), v.x, v.y - lane);
+    NumberPairs pairs = pairs_of_numbers(&sampler, v.z);
+    real hashed[LOBE_ABREAST];
+    hashed_numbers(&sampler, v.z, hashed);
+    vstore2(number_pair(&pairs, lane), 0, out + 3 * i);
+    out[3 * i + 2] = hashed[lane];
 }

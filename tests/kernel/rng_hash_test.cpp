@@ -125,6 +125,25 @@ void expect_independent_neighbours(const Program& program) {
 
 }  // namespace
 
+// Eight samples side by side have the numbers that each has alone.
+TEST(RngHash, LanesChangeNothing) {
+    Random random(5);
+    std::vector<Address> addresses;
+    for (int i = 0; i < 4096; ++i)
+        addresses.push_back({unsigned(random.uniform() * 4e9), unsigned(random.uniform() * 1e6),
+                             unsigned(random.uniform() * 64)});
+    for (const auto sampler : {Integrator::Sampler::sobol, Integrator::Sampler::independent}) {
+        Integrator integrator;
+        integrator.sampler = sampler;
+        const auto probe = [&](unsigned abreast) {
+            return build_probe(
+                "probe/rng.cl",
+                {{"lobe_scene.h", scene_header(all_features(), {}, integrator, abreast)}});
+        };
+        EXPECT_EQ(numbers(probe(1), addresses, 77), numbers(probe(8), addresses, 77));
+    }
+}
+
 TEST(RngHash, Pcg4dIsAsPublished) {
     Random random(1);
     std::vector<cl_uint> in = {0, 0, 0, 0, ~0u, ~0u, ~0u, ~0u, 1, 2, 3, 4};

@@ -24,7 +24,8 @@ namespace {
 Scene uneven_scene(std::uint32_t size) {
     Scene scene = small_scene(0.6, size);
     add(scene, wall(6, 5));
-    scene.materials.push_back(rational(100, 0.1, 0.6));
+    scene.materials.push_back(
+        material("rational", {{"n", 100}, {"kd", 0.1f}, {"ks", 0.6f}, {"normalize", 1}}));
     add(scene, {0.8, 0.8, 4}, 0.9).material = 1;
     shine(add(scene, {-3, 3.4, 3}, 0.06), 800);  // out of sight
     return scene;

@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "base/kernel_text.h"
-#include "scene/brdf_table.h"
 #include "support/meshes.h"
 #include "support/render_rig.h"
 #include "support/scenes.h"
@@ -16,27 +14,12 @@ using namespace lobe::test;
 
 namespace {
 
-// A material by its parameters' names, rows in the order of the model's own table.
-Material material(const std::string& model, float n) {
-    const std::string file = "brdf/" + model + ".h";
-    const BrdfTable table = parse_brdf_table(file, KernelText().read(file));
-    auto rows = table.default_rows();
-    const auto set = [&](const char* name, float value) {
-        rows.at(std::size_t(table.find(name))) = {value, value, value, 0};
-    };
-    // Diffuse albedo 0.25, specular albedo 0.5 at normal incidence.
-    set("kd", 0.25f);
-    set("ks", 0.5f);
-    set("n", n);
-    set("normalize", 1);
-    return {model, rows, "test", "test"};
-}
-
 // Seen from far through a narrow view, so that the angle is one angle to a thousandth of a degree.
 Picture plane_at(const std::string& model, float n, double degrees) {
     Scene scene = small_scene(0.5, 16, 0.002);
     scene.max_depth = 1;
-    scene.materials = {material(model, n)};
+    // Diffuse albedo 0.25, specular albedo 0.5 at normal incidence.
+    scene.materials = {material(model, {{"kd", 0.25f}, {"ks", 0.5f}, {"n", n}, {"normalize", 1}})};
     scene.environment = glm::vec3(1);
     add(scene, rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}));
     const double a = degrees * 3.14159265358979323846 / 180;

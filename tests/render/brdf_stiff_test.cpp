@@ -15,6 +15,10 @@ using namespace lobe::test;
 
 namespace {
 
+Material rational(float n, float kd, float ks) {
+    return material("rational", {{"n", n}, {"kd", kd}, {"ks", ks}, {"normalize", 1}});
+}
+
 // A floor of n = 1e8 that mirrors a lamp of half angle radius / 2.8, seen from close enough that
 // the core of the highlight, 1e-4 rad wide, fills some pixels.
 Scene tiny_lamp(double radius) {

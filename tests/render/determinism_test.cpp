@@ -51,6 +51,18 @@ TEST(Determinism, LaunchesChangeNothing) {
     }
 }
 
+TEST(Determinism, LanesChangeNothing) {
+    for (const bool lens : {true, false}) {
+        Scene scene = busy_scene(37, true);
+        if (!lens) scene.camera.lens_radius = 0;
+        PictureOptions options = short_render();
+        options.abreast = 1;
+        const std::string first = render_picture(scene, options).hash;
+        options.abreast = 8;
+        EXPECT_EQ(render_picture(scene, options).hash, first);
+    }
+}
+
 // The general kernel and those that leave out what a scene does not need.
 TEST(Determinism, FeaturesChangeNothing) {
     std::vector<std::pair<const char*, Scene>> scenes;

@@ -32,17 +32,15 @@ std::vector<Integrator> all_choices() {
     return all;
 }
 
-Material glossy(const std::string& model, float kd, float ks, float n) {
-    return {model, {{kd, kd, kd, 0}, {ks, ks, ks, 0}, {n, 0, 0, 0}, {0}, {0}}, "test", "test"};
-}
-
 // Every kind of light over glossy and matte shapes. The lamps are large enough for scattering to
 // find them, so that a few hundred samples make a normal mean.
 Scene glossy_scene() {
     Scene scene = small_scene(0.5, 16, 50);
     scene.max_depth = 4;
-    scene.materials.push_back(glossy("rational", 0.1f, 0.5f, 20));
-    scene.materials.push_back(glossy("modified_phong", 0.1f, 0.8f, 12));
+    scene.materials.push_back(
+        material("rational", {{"kd", 0.1f}, {"ks", 0.5f}, {"n", 20}, {"normalize", 0}}));
+    scene.materials.push_back(
+        material("modified_phong", {{"kd", 0.1f}, {"ks", 0.8f}, {"n", 12}, {"normalize", 0}}));
     add(scene, rectangle({-3, -1, 0}, {0, 0, 8}, {6, 0, 0})).material = 1;
     add(scene, wall(7, 3));
     add(scene, {-0.9, -0.4, 4}, 0.6).material = 2;
@@ -94,8 +92,8 @@ TEST(Integrator, EveryChoiceIsOneOfItsOwn) {
 TEST(Integrator, WhatOneWayAloneFindsIsNeverLost) {
     Scene scene = small_scene(0.5, 16, 50);
     scene.max_depth = 1;
-    scene.materials.push_back(glossy("rational", 0, 0, INFINITY));
-    scene.materials[1].rows = {{0, 0, 0, 0}, {0.5f, 0.5f, 0.5f, 0}, {INFINITY}, {1}, {0}};
+    scene.materials.push_back(
+        material("rational", {{"kd", 0}, {"ks", 0.5f}, {"n", INFINITY}, {"normalize", 1}}));
     add(scene, wall(4, 20)).material = 1;
     shine(add(scene, {0, 0, -4}, 2), 3);
     const MeanOf mirrored = mean_of(picture_by(scene, {}, 64, 1));

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/kernel_text.h"
-#include "scene/brdf_table.h"
 #include "scene/measured.h"
 #include "support/meshes.h"
 #include "support/render_rig.h"
@@ -39,11 +37,6 @@ Scene ball_scene(const Material& material, const std::vector<float>& tables = {}
     return scene;
 }
 
-Material material(const std::string& model) {
-    const std::string file = "brdf/" + model + ".h";
-    return {model, parse_brdf_table(file, KernelText().read(file)).default_rows(), "test", "test"};
-}
-
 Picture picture_of(const MeasuredBrdf& table, std::uint64_t seed) {
     PictureOptions options;
     options.seed = seed;
@@ -71,11 +64,8 @@ TEST(Measured, AGlossyTableIsItsFormula) {
         const double c = glm::dot(glm::dvec3(-pair.wo.x, -pair.wo.y, pair.wo.z), pair.wi);
         return glm::dvec3(0.1 + 0.2 * std::pow(std::max(c, 0.0), 8));
     };
-    Material phong = material("modified_phong");
-    phong.rows[0] = {0.1f, 0.1f, 0.1f, 0};
-    phong.rows[1] = {0.2f, 0.2f, 0.2f, 0};
-    phong.rows[2] = {8, 0, 0, 0};
-    const Picture formula = render_picture(ball_scene(phong));
+    const Picture formula = render_picture(
+        ball_scene(material("modified_phong", {{"kd", 0.1f}, {"ks", 0.2f}, {"n", 8}})));
     const MeanOf exact = mean_of(formula);
     const MeanOf table = mean_of(picture_of(tabulate({64, 32, 48}, glossy), 2));
     EXPECT_TRUE(agrees(table, exact, 2, 2e-3));

@@ -42,6 +42,7 @@ Picture render_picture(const Scene& scene, const PictureOptions& options) {
     SessionOptions session_options;
     session_options.double_precision = options.double_precision;
     session_options.local = options.local;
+    session_options.abreast = options.abreast;
     Session session(test_device(), kernels, packed, session_options);
     session.set_seed(options.seed);
     RenderPlan plan;

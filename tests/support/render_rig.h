@@ -18,7 +18,8 @@ struct PictureOptions {
     std::uint64_t seed = 1;
     std::array<unsigned, 2> local{8, 8};
     std::uint32_t tiles_per_launch = 0;
-    bool general = true;  // one kernel for all tests: compiled once
+    unsigned abreast = 0;  // as in SessionOptions
+    bool general = true;   // one kernel for all tests: compiled once
     bool double_precision = false;
     Integrator integrator;
 };

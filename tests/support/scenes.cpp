@@ -20,19 +20,13 @@ Material lambert(double albedo) {
 
 }  // namespace
 
-Material rational(double n, double kd, double ks) {
-    const std::string file = "brdf/rational.h";
+Material material(const std::string& model, const std::map<std::string, float>& values) {
+    const std::string file = "brdf/" + model + ".h";
     const BrdfTable table = parse_brdf_table(file, test_kernels().read(file));
     auto rows = table.default_rows();
-    const auto set = [&](const char* name, double value) {
-        const auto v = static_cast<float>(value);
-        rows.at(std::size_t(table.find(name))) = {v, v, v, 0};
-    };
-    set("kd", kd);
-    set("ks", ks);
-    set("n", n);
-    set("normalize", 1);
-    return {"rational", rows, "test", "test"};
+    for (const auto& [name, value] : values)
+        rows.at(std::size_t(table.find(name))) = {value, value, value, 0};
+    return {model, rows, "test", "test"};
 }
 
 Scene small_scene(double albedo, std::uint32_t size, double fov) {

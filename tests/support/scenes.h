@@ -2,6 +2,9 @@
 // Small scenes made in code.
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "scene/scene.h"
 
 namespace lobe::test {
@@ -10,8 +13,8 @@ namespace lobe::test {
 // the origin that looks along +z with x to the right and y up.
 Scene small_scene(double albedo, std::uint32_t size = 32, double fov = 60);
 
-// The normalised rational model, grey.
-Material rational(double n, double kd, double ks);
+// One of lobe's models: its defaults but for some values, grey where they are colours.
+Material material(const std::string& model, const std::map<std::string, float>& values = {});
 
 // Adds a shape and gives it for changes.
 Shape& add(Scene& scene, Mesh mesh);

@@ -80,12 +80,14 @@ void TraceRig::upload() {
     sphere_leaves_.emplace_back(test_device(), packed_.bvh.sphere_leaves);
 }
 
-std::vector<TestHit> TraceRig::nearest(const Program& program,
-                                       const std::vector<TestRay>& rays) const {
+std::vector<TestHit> TraceRig::nearest(const Program& program, const std::vector<TestRay>& rays,
+                                       Traversal traversal) const {
     const DeviceRays in(rays);
     Buffer<float> out(test_device(), 3 * rays.size());
     Buffer<cl_uint> primitives(test_device(), rays.size());
-    run_probe(program, "geom_nearest", rays.size(), nodes_[0], triangle_leaves_[0],
+    const bool together = traversal == Traversal::together;
+    run_probe(program, together ? "geom_nearest_together" : "geom_nearest",
+              together ? rays.size() / LOBE_WIDTH : rays.size(), nodes_[0], triangle_leaves_[0],
               sphere_leaves_[0], in.numbers, in.names, out, primitives);
     return read_hits(out, primitives);
 }

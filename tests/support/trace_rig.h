@@ -38,6 +38,9 @@ Scene scene_of(std::vector<Shape> shapes);
 Shape shape_of(Mesh mesh);
 Shape shape_of(Sphere sphere);
 
+// Each ray by itself, or eight after eight together: then as many as make whole eights.
+enum class Traversal { alone, together };
+
 class TraceRig {
   public:
     // Render space is the shapes' own space: nothing is moved or scaled.
@@ -47,7 +50,8 @@ class TraceRig {
 
     const PackedScene& packed() const { return packed_; }
 
-    std::vector<TestHit> nearest(const Program& program, const std::vector<TestRay>& rays) const;
+    std::vector<TestHit> nearest(const Program& program, const std::vector<TestRay>& rays,
+                                 Traversal traversal = Traversal::alone) const;
     std::vector<TestHit> linear(const Program& program, const std::vector<TestRay>& rays) const;
     std::vector<std::uint32_t> occluded(const Program& program,
                                         const std::vector<TestRay>& rays) const;

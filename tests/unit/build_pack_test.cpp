@@ -13,7 +13,7 @@ using namespace lobe::test;
 TEST(BuildPack, AMaterialHasOneRowForEachParameter) {
     const PackOptions options{read_brdf_tables(test_kernels())};
     Scene scene = small_scene(0.5);
-    scene.materials.push_back(rational(10, 0.1, 0.5));
+    scene.materials.push_back(material("rational"));
     EXPECT_EQ(pack_scene(scene, options).rows.size(),
               scene.materials[0].rows.size() + scene.materials[1].rows.size());
     scene.materials[1].rows.pop_back();

@@ -43,8 +43,10 @@ void measure_round(const Mesh& mesh, Table& table) {
     const test::EmbreeScene robust(mesh, test::EmbreeMode::robust);
     const LobeScene scene(mesh);
     std::vector<std::unique_ptr<Tracer>> tracers;
-    tracers.push_back(lobe_tracer("lobe", scene));
-    tracers.push_back(lobe_tracer("portable", scene, "#define LOBE_PORTABLE_LANES\n"));
+    tracers.push_back(lobe_tracer("lobe", scene, LobeCall::single));
+    tracers.push_back(lobe_tracer("together", scene, LobeCall::packets));
+    tracers.push_back(
+        lobe_tracer("portable", scene, LobeCall::single, "#define LOBE_PORTABLE_LANES\n"));
     tracers.push_back(embree_tracer("embree", fast, EmbreeCall::single));
     tracers.push_back(embree_tracer("robust", robust, EmbreeCall::single));
     tracers.push_back(embree_tracer("packets", fast, EmbreeCall::packets));
@@ -63,15 +65,16 @@ void measure_round(const Mesh& mesh, Table& table) {
 }
 
 void print(unsigned triangles, const Table& table) {
-    std::printf("%u triangles, Mrays/s\n%-12s %8s %8s %8s %8s %8s %10s %10s %10s %8s\n", triangles,
-                "", "lobe", "portable", "embree", "robust", "packets", "/ embree", "/ robust",
-                "port./emb.", "met");
+    std::printf("%u triangles, Mrays/s\n%-12s %8s %8s %8s %8s %8s %8s %9s %9s %9s %9s\n", triangles,
+                "", "lobe", "together", "portable", "embree", "robust", "packets", "/ embree",
+                "/ robust", "port./emb", "tog./pack");
     for (const auto& [name, row] : table) {
         const double lobe = row.at("lobe").middle(), embree = row.at("embree").best();
-        std::printf("%-12s %8.2f %8.2f %8.2f %8.2f %8.2f %10.3f %10.3f %10.3f %8zu\n", name.c_str(),
-                    lobe, row.at("portable").middle(), embree, row.at("robust").best(),
-                    row.at("packets").best(), lobe / embree, lobe / row.at("robust").best(),
-                    row.at("portable").middle() / embree, row.at("lobe").met);
+        const double together = row.at("together").middle(), packets = row.at("packets").best();
+        const double portable = row.at("portable").middle(), robust = row.at("robust").best();
+        std::printf("%-12s %8.2f %8.2f %8.2f %8.2f %8.2f %8.2f %9.3f %9.3f %9.3f %9.3f\n",
+                    name.c_str(), lobe, together, portable, embree, robust, packets, lobe / embree,
+                    lobe / robust, portable / embree, together / packets);
     }
     std::fflush(stdout);
 }

@@ -50,9 +50,10 @@ std::string triangles_only() {
 
 class OurTracer : public Tracer {
   public:
-    OurTracer(std::string name, const LobeScene& scene, const std::string& header)
+    OurTracer(std::string name, const LobeScene& scene, LobeCall call, const std::string& header)
         : Tracer(std::move(name)),
           scene_(scene),
+          call_(call),
           program_(
               test::build_probe("probe/geom.cl", {{"lobe_scene.h", header + triangles_only()}})) {}
 
@@ -60,7 +61,10 @@ class OurTracer : public Tracer {
         auto found = rays_.find(rays.name);
         if (found == rays_.end()) found = rays_.emplace(rays.name, rays).first;
         DeviceRays& in = found->second;
-        cl::Kernel kernel = program_.kernel(rays.any ? "geom_occluded" : "geom_nearest");
+        const bool together = call_ == LobeCall::packets && !rays.any;
+        cl::Kernel kernel = program_.kernel(rays.any   ? "geom_occluded"
+                                            : together ? "geom_nearest_together"
+                                                       : "geom_nearest");
         if (rays.any)
             set_args(kernel, scene_.nodes, scene_.leaves, scene_.no_spheres, in.numbers, in.names,
                      in.primitives);
@@ -69,7 +73,8 @@ class OurTracer : public Tracer {
                      in.out, in.primitives);
         const Device& device = test::test_device();
         const Stopwatch watch;
-        launch(device, kernel, cl::NDRange(in.padded), cl::NDRange(group));
+        launch(device, kernel, cl::NDRange(together ? in.padded / 8 : in.padded),
+               cl::NDRange(together ? group / 8 : group));
         device.finish();
         Pass pass{watch.seconds(), 0};
         const std::vector<cl_uint> met = in.primitives.read_all();
@@ -79,6 +84,7 @@ class OurTracer : public Tracer {
 
   private:
     const LobeScene& scene_;
+    LobeCall call_;
     Program program_;
     std::map<std::string, DeviceRays> rays_;
 };
@@ -181,9 +187,9 @@ std::size_t LobeScene::bytes() const {
     return nodes.count() * sizeof(LobeNode) + leaves.count() * sizeof(LobeTriangleLeaf);
 }
 
-std::unique_ptr<Tracer> lobe_tracer(std::string name, const LobeScene& scene,
+std::unique_ptr<Tracer> lobe_tracer(std::string name, const LobeScene& scene, LobeCall call,
                                     const std::string& header) {
-    return std::make_unique<OurTracer>(std::move(name), scene, header);
+    return std::make_unique<OurTracer>(std::move(name), scene, call, header);
 }
 
 std::unique_ptr<Tracer> embree_tracer(std::string name, const test::EmbreeScene& scene,

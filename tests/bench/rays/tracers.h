@@ -40,8 +40,10 @@ class LobeScene {
     explicit LobeScene(const Bvh& bvh);
 };
 
-// `header` goes before the scene's own in the kernel.
-std::unique_ptr<Tracer> lobe_tracer(std::string name, const LobeScene& scene,
+// Single rays, or, but for shadow rays, packets of eight where the rays run alike. `header` goes
+// before the scene's own in the kernel.
+enum class LobeCall { single, packets };
+std::unique_ptr<Tracer> lobe_tracer(std::string name, const LobeScene& scene, LobeCall call,
                                     const std::string& header = "");
 
 enum class EmbreeCall { single, packets };  // packets of 8, told to be coherent
