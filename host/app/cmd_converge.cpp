@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // lobe converge: how the error of a scene falls with samples and with time.
-#include <chrono>
 #include <cstdio>
 #include <memory>
 
@@ -119,8 +118,8 @@ class Bench {
         if (!reference) return {};
         ConvergenceReport report = measure_convergence(*arm, *reference, plan_, stop);
         report.device = device_.info();
-        report.compile_again = Session(device_, kernels, arm->packed()).compile_seconds();
-        if (o_.cold) report.compile_cold = cold_compile(kernels, *arm);
+        report.compile_again = arm->compile_again(Caches::all);
+        if (o_.cold) report.compile_cold = arm->compile_again(Caches::none);
         arm->keep_program();
         return report;
     }
@@ -138,13 +137,6 @@ class Bench {
             own.masked = widened(run.picture.sees_light, arm.width());
         }
         return own;
-    }
-
-    // A text that differs in a comment only.
-    double cold_compile(KernelText kernels, const Arm& arm) const {
-        const auto now = std::chrono::system_clock::now().time_since_epoch().count();
-        kernels.add("render.cl", kernels.read("render.cl") + "\n// " + std::to_string(now) + "\n");
-        return Session(device_, kernels, arm.packed()).compile_seconds();
     }
 
     const Options& o_;

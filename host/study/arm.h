@@ -29,6 +29,8 @@ struct ArmRun {
     bool stopped = false;  // by the caller: the picture is not whole
 };
 
+enum class Caches { none, all };
+
 class Arm {
   public:
     // Packs the scene, compiles its kernel and uploads it. `kernels` holds the user's own models,
@@ -48,6 +50,11 @@ class Arm {
 
     // Renders so many samples a pixel. Throws Error (internal) if the kernel trapped.
     ArmRun run(std::uint64_t seed, std::uint32_t samples, const std::function<bool()>& stop = {});
+
+    // Seconds to compile its kernel once more, with what caches hold or without: then as a text
+    // that has one more function (PoCL's cache looks at what the preprocessor leaves). Throws Error
+    // (device).
+    double compile_again(Caches caches) const;
 
     // Frees what the device holds; until reopen() nothing may be run.
     void close();
