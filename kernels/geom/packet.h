@@ -57,8 +57,8 @@ int make_packet(const Ray* rays, Packet* p) {
     return 1;
 }
 
-// Between these distances some ray of the packet may be, and no other, on eight planes: those that
-// they are entered and left by.
+// Bounds of the distances at which the rays of a packet cross eight planes, by interval arithmetic.
+// Its three roundings lose less than what boxes were enlarged by.
 real8 soonest(real8 planes, real low_origin, real high_origin, real low, real high) {
     real8 far = planes - low_origin, near = planes - high_origin;
     return smaller8(smaller8(far * low, far * high), smaller8(near * low, near * high));
