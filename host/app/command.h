@@ -27,6 +27,7 @@ using Command = std::function<int()>;
 Command add_render_command(CLI::App& app, const std::vector<std::string>& command_line);
 Command add_devices_command(CLI::App& app);
 Command add_compare_command(CLI::App& app, const std::vector<std::string>& command_line);
+Command add_bench_command(CLI::App& app, const std::vector<std::string>& command_line);
 Command add_converge_command(CLI::App& app, const std::vector<std::string>& command_line);
 Command add_features_command(CLI::App& app);
 Command add_brdf_command(CLI::App& app);

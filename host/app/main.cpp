@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
     const std::vector<std::pair<std::string, lobe::Command>> commands = {
         {"render", lobe::add_render_command(app, command_line)},
         {"compare", lobe::add_compare_command(app, command_line)},
+        {"bench", lobe::add_bench_command(app, command_line)},
         {"converge", lobe::add_converge_command(app, command_line)},
         {"features", lobe::add_features_command(app)},
         {"devices", lobe::add_devices_command(app)},

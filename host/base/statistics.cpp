@@ -96,6 +96,11 @@ double median(std::vector<double> values) {
     return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
+double deviation_from(std::vector<double> values, double centre) {
+    for (double& value : values) value = std::abs(value - centre);
+    return 1.4826 * median(values);
+}
+
 double normal_cdf(double z) { return 0.5 * std::erfc(-z * std::sqrt(0.5)); }
 double normal_quantile(double p) { return symmetric_quantile(normal_cdf, p); }
 double two_sided_p(double z) { return std::erfc(std::fabs(z) * std::sqrt(0.5)); }

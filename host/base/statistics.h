@@ -11,6 +11,9 @@ double mean(const std::vector<double>& values);             // NaN of none
 double sample_variance(const std::vector<double>& values);  // divided by n - 1; NaN below two
 double standard_error(const std::vector<double>& values);   // of their mean; NaN below two
 double median(std::vector<double> values);                  // NaN of none
+// 1.4826 times the median distance of the values from `centre`: for normal values their standard
+// deviation. NaN of none.
+double deviation_from(std::vector<double> values, double centre);
 
 double normal_cdf(double z);
 double normal_quantile(double p);  // -inf at 0, +inf at 1

@@ -9,6 +9,7 @@
 #include "cl/binary_cache.h"
 #include "cl/kernel_args.h"
 #include "cl/source.h"
+#include "render/lanes.h"
 
 namespace lobe {
 namespace {
@@ -17,9 +18,6 @@ namespace {
 constexpr std::size_t sums_bytes = 64u << 20;
 // PoCL compiles anew for grids of 65,536 and more.
 constexpr std::uint32_t grid_limit = 65528;
-
-// On CPUs vectors are made of what is written as vectors, on GPUs of work-items.
-unsigned suitable_lanes(const DeviceInfo& info) { return info.type & CL_DEVICE_TYPE_CPU ? 8 : 1; }
 
 unsigned round_up(unsigned value, unsigned grain) { return (value + grain - 1) / grain * grain; }
 

@@ -76,6 +76,8 @@ double Arm::compile_again(Caches caches) const {
     return Session(device_, kernels, packed_).compile_seconds();
 }
 
+std::size_t Arm::device_bytes() const { return session_ ? session_->device_bytes() : 0; }
+
 void Arm::close() {
     if (!session_) return;
     session_->keep_program();

@@ -56,6 +56,8 @@ class Arm {
     // (device).
     double compile_again(Caches caches) const;
 
+    std::size_t device_bytes() const;  // that it holds now
+
     // Frees what the device holds; until reopen() nothing may be run.
     void close();
     // Uploads the same scene for the same program anew: where its memory lies, which the speed

@@ -23,12 +23,6 @@ std::vector<double> values(const std::vector<ConvergenceRun>& runs, unsigned lev
     return result;
 }
 
-double median_deviation(std::vector<double> seconds) {
-    const double middle = median(seconds);
-    for (double& s : seconds) s = std::fabs(s - middle);
-    return 1.4826 * median(seconds);
-}
-
 // Bias of the mean picture. Its pixels are independent, so that their spread tells the standard
 // error of the mean of their bias squared, the reference's share included.
 void fill_bias(ConvergenceLevel& level, const LevelSums& sums, const Reference& reference,
@@ -104,7 +98,7 @@ ConvergenceLevel measure_level(const LevelSums& sums, const std::vector<Converge
     result.samples = sums.samples();
     const std::vector<double> seconds = values(runs, level, &ConvergenceRun::seconds);
     result.seconds = median(seconds);
-    result.seconds_deviation = median_deviation(seconds);
+    result.seconds_deviation = deviation_from(seconds, result.seconds);
     result.mse = studentised_mean(values(runs, level, &ConvergenceRun::mse));
     result.mse0 = studentised_mean(values(runs, level, &ConvergenceRun::mse0));
     result.relmse = studentised_mean(values(runs, level, &ConvergenceRun::relmse));

@@ -42,6 +42,7 @@ const Arrows kernel_arrows = {
     {"texture", {"core", "texture"}},
     {"path", {"core", "brdf", "geom", "light", "texture", "path"}},
     {"probe", {"core", "brdf", "geom", "light", "texture", "path", "probe"}},
+    {"bench", {"core", "geom", "light", "path"}},
     {"", {"core", "brdf", "geom", "light", "texture", "path"}},  // render.cl
 };
 
