@@ -185,7 +185,7 @@ int run(const Options& options) {
     RenderGoals goals = options.goals;
     const PackedScene packed = prepare(options, kernels, report, goals);
 
-    ImageIo images;  // opens its module while the device renders
+    ImageIo images;
     const Device device = open_device(options.written.common.device);
     report.device = device.info();
     if (!try_user_models(device, kernels, packed.models, options.written.common))
@@ -194,6 +194,7 @@ int run(const Options& options) {
     Watchdog watchdog(options.watchdog, [&](double seconds) { job.end_hung(seconds); });
     const auto session = open_session(device, kernels, packed, watchdog);
     check_host_memory(*session, goals);
+    images.begin();  // while the device renders; before, it would hold up the device's own libraries
     job.render(*session, goals, options.seed, watchdog);
     warn_of_status(*report.status);
     if (report.picture.mean_samples == 0) return stopped_early();  // not worth the old picture

@@ -20,12 +20,16 @@ struct ImageIo::Module {
     DrawTexts draw_texts = file.function<DrawTexts>("lobe_draw_texts");
 };
 
-ImageIo::ImageIo()
-    : opening_(std::async(std::launch::async, [] { return std::make_unique<Module>(); })) {}
-
+ImageIo::ImageIo() = default;
 ImageIo::~ImageIo() = default;
 
+void ImageIo::begin() {
+    if (module_ || opening_.valid()) return;
+    opening_ = std::async(std::launch::async, [] { return std::make_unique<Module>(); });
+}
+
 ImageIo::Module& ImageIo::module() {
+    begin();
     if (!module_) module_ = opening_.get();
     if (!module_->write || !module_->encode || !module_->read || !module_->draw_texts)
         throw Error(ExitCode::output,

@@ -12,9 +12,12 @@ namespace lobe {
 
 class ImageIo {
   public:
-    // Begins to open the module in the background.
     ImageIo();
     ~ImageIo();
+
+    // Begins to open the module in the background, for whoever will need it soon; else the first
+    // use opens it. While it opens, no other library can be loaded.
+    void begin();
 
     // Writes to a temporary name in the same folder, reads it back, compares every value, and only
     // then renames. The format follows the ending. Throws Error (output).
