@@ -11,7 +11,7 @@ kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
                    global const LobeVertex* vertices, global const LobeSphere* spheres,
                    global const LobeSurface* surfaces, global const LobeMaterial* materials,
                    global const uchar* prepared, global const LobeLight* lights,
-                   global const float* light_sums, global const float* tables,
+                   global const LobeLightNode* light_nodes, global const float* tables,
                    global const float* filter, global const LobeTileJob* jobs,
                    global LobeBlockSum* sums, global uint* status, global uint* statistics) {
     uint slot = get_global_id(1) / LOBE_TILE;
@@ -23,7 +23,7 @@ kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
     if (window.x >= frame->window_width || window.y >= frame->window_height) return;
     Scene scene = {{nodes, triangle_leaves, sphere_leaves},
                    {triangles, vertices, spheres, surfaces, frame->triangles},
-                   {lights, light_sums, frame->lights},
+                   {lights, light_nodes, frame->lights, frame->light_root},
                    materials,
                    prepared,
                    tables};

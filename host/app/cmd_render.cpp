@@ -194,7 +194,8 @@ int run(const Options& options) {
     Watchdog watchdog(options.watchdog, [&](double seconds) { job.end_hung(seconds); });
     const auto session = open_session(device, kernels, packed, watchdog);
     check_host_memory(*session, goals);
-    images.begin();  // while the device renders; before, it would hold up the device's own libraries
+    images
+        .begin();  // while the device renders; before, it would hold up the device's own libraries
     job.render(*session, goals, options.seed, watchdog);
     warn_of_status(*report.status);
     if (report.picture.mean_samples == 0) return stopped_early();  // not worth the old picture

@@ -36,6 +36,12 @@ class Derivation {
     FeatureSet set_ = named_features();
 };
 
+std::size_t emitting_primitives(const Shape& shape) {
+    if (!shape.emission) return 0;
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    return mesh ? mesh->triangles.size() : 1;
+}
+
 }  // namespace
 
 FeatureSet derive_features(const Scene& scene) {
@@ -49,6 +55,9 @@ FeatureSet derive_features(const Scene& scene) {
     }
     if (!scene.point_lights.empty()) d.need(Feature::POINT_LIGHTS, "a point light");
     if (!scene.distant_lights.empty()) d.need(Feature::DISTANT_LIGHTS, "a distant light");
+    std::size_t lights = scene.point_lights.size() + scene.distant_lights.size();
+    for (const Shape& shape : scene.shapes) lights += emitting_primitives(shape);
+    if (lights > 1) d.need(Feature::MANY_LIGHTS, std::to_string(lights) + " lights");
     if (scene.environment) d.need(Feature::ENVIRONMENT, "an infinite light");
     if (scene.camera.lens_radius > 0) d.need(Feature::THIN_LENS, "the camera's lens radius");
     if (scene.filter.kind != FilterKind::box) d.need(Feature::FILTER_TABLE, "the pixel filter");
@@ -59,6 +68,7 @@ FeatureSet derive_features(const Scene& scene) {
     d.spare(Feature::TRIANGLE_LIGHTS, "no triangle emits");
     d.spare(Feature::POINT_LIGHTS, "no point light");
     d.spare(Feature::DISTANT_LIGHTS, "no distant light");
+    d.spare(Feature::MANY_LIGHTS, lights ? "there is but one light" : "no light to choose");
     d.spare(Feature::ENVIRONMENT, "no infinite light");
     d.spare(Feature::THIN_LENS, "the camera is a pinhole");
     d.spare(Feature::FILTER_TABLE, "the pixel filter is a box");

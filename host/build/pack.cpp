@@ -23,7 +23,7 @@ class Packer {
         for (const Shape& shape : scene_.shapes)
             if (std::holds_alternative<Sphere>(shape.geometry)) pack_sphere(shape);
         pack_small_lights();
-        packed_.lights = make_light_table(lights_);
+        packed_.lights = make_light_tree(lights_);
         if (packed_.lights.lights.empty())
             for (LobeSurface& surface : packed_.surfaces) surface.first_light = LOBE_NONE;
     }
@@ -89,23 +89,43 @@ class Packer {
         return light;
     }
 
-    double area_power(const Shape& shape, double area) const {
-        const double sides = shape.emission->two_sided ? 2 : 1;
-        return luminance(shape.emission->radiance) * area * glm::pi<double>() * sides;
-    }
-
-    // The light of the triangle added last; without area it has no power and is never chosen.
+    // The light of the triangle added last; without area it has no intensity and is never chosen.
     void add_triangle_light(const Shape& shape) {
         const LobeTriangle& t = packed_.triangles.back();
         const auto corner = [&](LobeUint i) {
             const LobeVertex& v = packed_.vertices[i];
             return glm::dvec3(v.px, v.py, v.pz);
         };
-        const glm::dvec3 e1 = corner(t.v1) - corner(t.v0), e2 = corner(t.v2) - corner(t.v0);
-        const double area = glm::length(glm::cross(e1, e2)) / 2;
+        const glm::dvec3 a = corner(t.v0), b = corner(t.v1), c = corner(t.v2);
+        const glm::dvec3 across = glm::cross(b - a, c - a);
+        const double area = glm::length(across) / 2;
         LobeLight light = area_light(shape, LOBE_LIGHT_TRIANGLE, packed_.triangles.size() - 1);
         light.area = static_cast<float>(area);
-        lights_.push_back({light, light.area > 0 ? area_power(shape, area) : 0});
+        LightBounds bounds;
+        bounds.low = glm::min(a, glm::min(b, c));
+        bounds.high = glm::max(a, glm::max(b, c));
+        if (light.area > 0) {
+            bounds.intensity = luminance(shape.emission->radiance) * area;
+            bounds.axis = across * ((shape.flipped ? -0.5 : 0.5) / area);
+        }
+        if (shape.emission->two_sided) bounds.spread = glm::pi<double>();
+        lights_.push_back({light, bounds, completes_quadrilateral(light, bounds.axis)});
+    }
+
+    // Whether the triangle added last and the one before it, a light of the same shape that begins
+    // no other quadrilateral, lie in one plane and share an edge.
+    bool completes_quadrilateral(const LobeLight& light, const glm::dvec3& axis) const {
+        if (lights_.empty() || lights_.back().completes || !(light.area > 0)) return false;
+        const LobeLight& before = lights_.back().light;
+        const LobeTriangle& b = packed_.triangles.back();
+        const LobeTriangle& a = *(packed_.triangles.end() - 2);
+        if (before.kind != LOBE_LIGHT_TRIANGLE || before.primitive + 1 != light.primitive ||
+            a.surface != b.surface || !(before.area > 0))
+            return false;
+        const LobeUint first[3] = {a.v0, a.v1, a.v2}, second[3] = {b.v0, b.v1, b.v2};
+        int shared = 0;
+        for (const LobeUint v : first) shared += std::count(second, second + 3, v);
+        return shared == 2 && glm::dot(lights_.back().bounds.axis, axis) > 1 - 1e-10;
     }
 
     void pack_sphere(const Shape& shape) {
@@ -121,9 +141,21 @@ class Packer {
         light.y = c.y;
         light.z = c.z;
         light.radius = radius;
-        const double area = 4 * glm::pi<double>() * radius * radius;
-        light.area = static_cast<float>(area);
-        lights_.push_back({light, area_power(shape, area)});
+        light.area = static_cast<float>(4 * glm::pi<double>() * radius * radius);
+        const double disk = glm::pi<double>() * radius * radius;
+        lights_.push_back({light, shines_everywhere(glm::dvec3(c) - double(radius),
+                                                    glm::dvec3(c) + double(radius),
+                                                    disk * luminance(shape.emission->radiance))});
+    }
+
+    static LightBounds shines_everywhere(const glm::dvec3& low, const glm::dvec3& high,
+                                         double intensity) {
+        LightBounds bounds;
+        bounds.low = low;
+        bounds.high = high;
+        bounds.intensity = intensity;
+        bounds.spread = glm::pi<double>();
+        return bounds;
     }
 
     void pack_small_lights() {
@@ -134,8 +166,9 @@ class Packer {
             light.primitive = LOBE_NONE;
             const glm::vec3 intensity(glm::dvec3(point.intensity) * scale * scale);
             set_colour(light, intensity);
-            set_vector(light, packed_.placement.point(point.position));
-            lights_.push_back({light, 4 * glm::pi<double>() * luminance(intensity)});
+            const glm::dvec3 at = packed_.placement.point(point.position);
+            set_vector(light, at);
+            lights_.push_back({light, shines_everywhere(at, at, luminance(intensity))});
         }
         for (const DistantLight& distant : scene_.distant_lights) {
             LobeLight light{};
@@ -143,7 +176,10 @@ class Packer {
             light.primitive = LOBE_NONE;
             set_colour(light, distant.irradiance);
             set_vector(light, distant.towards);
-            lights_.push_back({light, glm::pi<double>() * luminance(distant.irradiance)});
+            LightBounds bounds =
+                shines_everywhere(distant.towards, distant.towards, luminance(distant.irradiance));
+            bounds.distant = true;
+            lights_.push_back({light, bounds});
         }
     }
 
@@ -160,7 +196,7 @@ class Packer {
 
     const Scene& scene_;
     PackedScene& packed_;
-    std::vector<PoweredLight> lights_;
+    std::vector<BoundedLight> lights_;
 };
 
 void pack_filter_table(const FilterTable& table, LobeFrame& frame) {
@@ -218,6 +254,7 @@ PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
     }
     packed.frame.triangles = static_cast<LobeUint>(packed.triangles.size());
     packed.frame.lights = static_cast<LobeUint>(packed.lights.lights.size());
+    packed.frame.light_root = packed.lights.root;
     return packed;
 }
 

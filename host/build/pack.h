@@ -8,7 +8,7 @@
 #include "build/bvh.h"
 #include "build/features.h"
 #include "build/integrator.h"
-#include "build/light_table.h"
+#include "build/light_tree.h"
 #include "build/placement.h"
 #include "scene/scene.h"
 #include "shared/frame.h"
@@ -28,7 +28,7 @@ struct PackedScene {
     std::vector<LobeMaterial> materials;
     std::vector<LobeRow> rows;
     std::vector<float> tables;  // the scene's measured reflectance
-    LightTable lights;
+    LightTree lights;
     std::vector<float> filter_nodes;
     LobeFrame frame;  // all but the launch's own rows and samples
 };

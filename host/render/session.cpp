@@ -41,7 +41,7 @@ struct Session::Buffers {
           rows(d, s.rows, "material parameters"),
           prepared(d, s.materials.size() * LOBE_PREPARED_BYTES, "prepared materials"),
           lights(d, s.lights.lights, "lights"),
-          light_sums(d, s.lights.sums, "light table"),
+          light_nodes(d, s.lights.nodes, "light tree"),
           tables(d, s.tables, "measured reflectance"),
           filter(d, s.filter_nodes, "filter table"),
           jobs(d, tiles, "tiles"),
@@ -61,7 +61,7 @@ struct Session::Buffers {
     Buffer<LobeRow> rows;
     Buffer<cl_uchar> prepared;
     Buffer<LobeLight> lights;
-    Buffer<cl_float> light_sums;
+    Buffer<LobeLightNode> light_nodes;
     Buffer<cl_float> tables;
     Buffer<cl_float> filter;
     Buffer<LobeTileJob> jobs;
@@ -73,7 +73,7 @@ struct Session::Buffers {
         return frame.bytes() + nodes.bytes() + triangle_leaves.bytes() + sphere_leaves.bytes() +
                triangles.bytes() + vertices.bytes() + spheres.bytes() + surfaces.bytes() +
                materials.bytes() + rows.bytes() + prepared.bytes() + lights.bytes() +
-               light_sums.bytes() + tables.bytes() + filter.bytes() + jobs.bytes() + sums.bytes() +
+               light_nodes.bytes() + tables.bytes() + filter.bytes() + jobs.bytes() + sums.bytes() +
                status.bytes() + statistics.bytes();
     }
 };
@@ -104,7 +104,7 @@ void Session::upload(const PackedScene& scene) {
     prepare_materials(scene.materials.size());
     Buffers& b = *buffers_;
     set_args(render_, b.frame, b.nodes, b.triangle_leaves, b.sphere_leaves, b.triangles, b.vertices,
-             b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_sums, b.tables,
+             b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_nodes, b.tables,
              b.filter, b.jobs, b.sums, b.status, b.statistics);
     upload_seconds_ = watch.seconds();
 }

@@ -72,9 +72,10 @@ kernel void bench_camera(global const LobeFrame* frame, global const float* filt
 kernel void bench_follow(global const LobeTriangle* triangles, global const LobeVertex* vertices,
                          global const LobeSphere* spheres, global const LobeSurface* surfaces,
                          uint triangle_count, global const LobeLight* lights,
-                         global const float* light_sums, uint light_count, uint depth, uint count,
-                         global const LobeBenchRay* rays, global const LobeBenchHit* hits,
-                         global LobeBenchRay* shadows, global LobeBenchRay* bounces) {
+                         global const LobeLightNode* light_nodes, uint light_count, uint light_root,
+                         uint depth, uint count, global const LobeBenchRay* rays,
+                         global const LobeBenchHit* hits, global LobeBenchRay* shadows,
+                         global LobeBenchRay* bounces) {
     uint i = get_global_id(0);
     if (i >= count) return;
     Ray ray = load_ray(&rays[i]);
@@ -83,7 +84,7 @@ kernel void bench_follow(global const LobeTriangle* triangles, global const Lobe
     store_ray(&none, 0, &bounces[i]);
     if (!rays[i].exists || hits[i].primitive == LOBE_NONE) return;
     Shapes shapes = {triangles, vertices, spheres, surfaces, triangle_count};
-    Lights all = {lights, light_sums, light_count};
+    Lights all = {lights, light_nodes, light_count, light_root};
     Hit hit;
     hit.distance = hits[i].distance;
     hit.b1 = hits[i].b1;
@@ -98,8 +99,9 @@ kernel void bench_follow(global const LobeTriangle* triangles, global const Lobe
     NumberPairs choice = pairs_of_numbers(&sampler, bounce_dimension(depth, DIMENSION_CHOICE));
     NumberPairs place = pairs_of_numbers(&sampler, bounce_dimension(depth, DIMENSION_LIGHT));
     NumberPairs way = pairs_of_numbers(&sampler, bounce_dimension(depth, DIMENSION_BRDF));
-    LightSample light = sample_light(&all, &shapes, surface.position, surface.primitive,
-                                     choice.x[lane], number_pair(&place, lane));
+    Receiver receiver = {surface.position, normal};
+    LightSample light = sample_light(&all, &shapes, &receiver, surface.primitive, choice.x[lane],
+                                     number_pair(&place, lane));
     if (light.pdf > 0 && dot(light.towards, normal) > 0) {
         Ray shadow = leave_surface(&surface, light.towards);
         shadow.reach = light.distance * (1 - R(1.52587890625e-5));

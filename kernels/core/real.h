@@ -15,6 +15,7 @@
 typedef double real;
 typedef double2 real2;
 typedef double3 real3;
+typedef double4 real4;
 typedef double8 real8;
 typedef long8 mask8;  // what comparing two real8 gives: all bits of a true lane set
 #define R(literal) literal
@@ -24,6 +25,7 @@ typedef long8 mask8;  // what comparing two real8 gives: all bits of a true lane
 typedef float real;
 typedef float2 real2;
 typedef float3 real3;
+typedef float4 real4;
 typedef float8 real8;
 typedef int8 mask8;
 #define R(literal) literal##f

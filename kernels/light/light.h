@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing a light and sending a direction towards it. One file a kind of light stands beside.
+// Sending a direction towards a light. One file a kind of light stands beside.
 #ifndef LOBE_LIGHT_LIGHT_H
 #define LOBE_LIGHT_LIGHT_H
 
+#include "light/light_tree.h"
 #include "light/sphere_light.h"
 #include "light/triangle_light.h"
-
-typedef struct {
-    global const LobeLight* lights;
-    global const float* sums;  // running sum of the lights' probabilities; the last is 1
-    uint count;
-} Lights;
-
-// The light whose part of [0, 1) holds u.
-uint choose_light(const Lights* lights, real u) {
-    uint first = 0, last = lights->count - 1;
-    while (first < last) {
-        uint middle = (first + last) / 2;
-        if (u < lights->sums[middle]) {
-            last = middle;
-        } else {
-            first = middle + 1;
-        }
-    }
-    return first;
-}
 
 LightSample point_light_sample(const LobeLight* light, real3 from) {
     LightSample sample = no_light_sample();
@@ -61,26 +42,31 @@ LightSample sample_chosen_light(const Shapes* shapes, const LobeLight* light, re
     return no_light_sample();
 }
 
-// A direction from the point `from` of the primitive `on` towards one light; its pdf includes the
+// A direction from the receiver, on the primitive `on`, towards one light; its pdf includes the
 // choice of the light.
-LightSample sample_light(const Lights* lights, const Shapes* shapes, real3 from, uint on,
-                         real choice, real2 u) {
+LightSample sample_light(const Lights* lights, const Shapes* shapes, const Receiver* receiver,
+                         uint on, real choice, real2 u) {
     if (lights->count == 0) return no_light_sample();
-    LobeLight light = lights->lights[choose_light(lights, choice)];
-    LightSample sample = sample_chosen_light(shapes, &light, from, on, u);
-    sample.pdf *= light.probability;
+    real probability;
+    uint chosen = choose_light(lights, receiver, choice, &probability);
+    if (!(probability > 0)) return no_light_sample();
+    LobeLight light = lights->lights[chosen];
+    LightSample sample = sample_chosen_light(shapes, &light, receiver->point, on, u);
+    sample.pdf *= probability;
     return sample;
 }
 
-// Density with which sample_light would have sent the direction of `ray` to `surface` on `light`.
-real light_pdf(const Lights* lights, const Ray* ray, const Surface* surface) {
+// Density with which sample_light would have sent the direction of `ray`, which comes from a point
+// of this unit normal, to `surface` on `light`.
+real light_pdf(const Lights* lights, const Ray* ray, real3 normal, const Surface* surface) {
     LobeLight light = lights->lights[surface->light];
     real pdf = 0;
     if (LOBE_HAS_TRIANGLE_LIGHTS && light.kind == LOBE_LIGHT_TRIANGLE)
         pdf = triangle_light_pdf(&light, ray, surface);
     if (LOBE_HAS_SPHERE_LIGHTS && light.kind == LOBE_LIGHT_SPHERE)
         pdf = sphere_light_pdf(&light, ray->origin, ray->from);
-    return pdf * light.probability;
+    Receiver receiver = {ray->origin, normal};
+    return pdf > 0 ? pdf * light_probability(lights, &receiver, surface->light) : 0;
 }
 
 // Radiance that leaves the light at `surface` towards the origin of `ray`.

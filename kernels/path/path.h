@@ -9,6 +9,7 @@ typedef struct {
     real3 radiance, throughput;
     real3 sent;   // what the light sent for adds if nothing stands in its way
     real pdf;     // of the ray's direction; 0: no light sample could have taken it
+    real3 side;   // normal of where the ray comes from, on its side
     real weight;  // of the sample in its pixel
     int emitter;  // whether a light is seen directly
 } Path;
@@ -18,6 +19,7 @@ Path no_path(void) {
     path.radiance = path.sent = (real3)(0);
     path.throughput = (real3)(1);
     path.pdf = 0;
+    path.side = (real3)(0);
     path.weight = 1;
     path.emitter = 0;
     return path;
@@ -43,7 +45,7 @@ void escape(Path* path, global const LobeFrame* frame, uint depth, PathCounts* c
 int scatter_path(const Scene* scene, Path* path, Ray* ray, const Hit* hit, uint depth,
                  uint max_depth, const EventNumbers* numbers, Ray* shadow, PathCounts* counts) {
     Surface surface = surface_at(&scene->shapes, ray, hit);
-    path->radiance += path->throughput * seen_light(scene, ray, &surface, path->pdf);
+    path->radiance += path->throughput * seen_light(scene, ray, path->side, &surface, path->pdf);
     if (depth == 0) path->emitter = surface.light != LOBE_NONE;
     if (depth == max_depth) {
         count_truncated(counts, path->throughput, depth);
@@ -51,7 +53,8 @@ int scatter_path(const Scene* scene, Path* path, Ray* ray, const Hit* hit, uint 
     }
 
     ShadingPoint point = shading_point(&surface, ray);
-    LightSample light = light_to_send_for(scene, &surface, numbers->choice.x, numbers->light);
+    LightSample light =
+        light_to_send_for(scene, &surface, point.side, numbers->choice.x, numbers->light);
     real3 wi = light.pdf > 0 ? local_direction(&point, light.towards) : (real3)(0, 0, -1);
     global const uchar* prepared = scene->prepared + (ulong)surface.material * LOBE_PREPARED_BYTES;
     Scattering scattering =
@@ -77,6 +80,7 @@ int scatter_path(const Scene* scene, Path* path, Ray* ray, const Hit* hit, uint 
         return 0;
     }
     path->pdf = scattering.next.delta ? 0 : scattering.next.pdf;
+    if (LOBE_HAS_MANY_LIGHTS) path->side = point.side;
     *ray = leave_surface(&surface, direction);
     return 1;
 }

@@ -45,24 +45,29 @@ real shared_weight(real pdf, real other) {
     return LOBE_BALANCE_HEURISTIC ? balance_heuristic(pdf, other) : power_heuristic(pdf, other);
 }
 
-// A direction to send for light. Where light of shapes is only seen, that of points alone.
-LightSample light_to_send_for(const Scene* scene, const Surface* surface, real choice, real2 u) {
+// A direction to send for light, from the side of this normal. Where light of shapes is only seen,
+// that of points alone.
+LightSample light_to_send_for(const Scene* scene, const Surface* surface, real3 side, real choice,
+                              real2 u) {
     LightSample light = no_light_sample();
     if (LOBE_SENDS_LIGHT | LOBE_HAS_POINT_LIGHTS | LOBE_HAS_DISTANT_LIGHTS) {
-        light = sample_light(&scene->lights, &scene->shapes, surface->position, surface->primitive,
-                             choice, u);
+        Receiver receiver = {surface->position, side};
+        light =
+            sample_light(&scene->lights, &scene->shapes, &receiver, surface->primitive, choice, u);
     }
     if (!LOBE_SENDS_LIGHT && !light.delta) light.pdf = 0;
     return light;
 }
 
 // Radiance of the surface itself towards the ray, weighed against having sent for it.
-// `pdf` is the density with which the ray came here; 0 for what only it could find.
-real3 seen_light(const Scene* scene, const Ray* ray, const Surface* surface, real pdf) {
+// `pdf` is the density with which the ray came here, from a point of this normal; 0 for what only
+// it could find.
+real3 seen_light(const Scene* scene, const Ray* ray, real3 normal, const Surface* surface,
+                 real pdf) {
     if (surface->light == LOBE_NONE) return (real3)(0);
     real3 radiance = emitted_radiance(&scene->lights, ray, surface);
     if (!LOBE_SENDS_LIGHT || pdf == 0 || is_black(radiance)) return radiance;
-    real sent = light_pdf(&scene->lights, ray, surface);
+    real sent = light_pdf(&scene->lights, ray, normal, surface);
     if (!LOBE_SEES_LIGHT) return sent > 0 ? (real3)(0) : radiance;
     return radiance * shared_weight(pdf, sent);
 }

@@ -28,7 +28,8 @@ typedef struct LobeFrame {
     LobeUint window_width, window_height, tiles_across;
     // this launch: so many tiles, so many samples of one block in each; two words of seed
     LobeUint tiles;
-    LobeUint samples, seed0, seed1, pad0;
+    LobeUint samples, seed0, seed1;
+    LobeUint light_root;  // of the tree over the lights, as LobeLightNode::child
     LobeUint max_depth, triangles, lights;
     LobeUint filter_table;  // 1: the filter is sampled by its table, 0: it is a box
     // camera in render space: a film point (x, y) in pixels looks along corner + x dx + y dy

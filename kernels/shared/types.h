@@ -88,13 +88,32 @@ LOBE_ASSERT_SIZE(LobeRow, 16);
 #define LOBE_LIGHT_DISTANT 3u
 #define LOBE_LIGHT_TWO_SIDED 1u
 #define LOBE_LIGHT_FLIPPED 2u  // light leaves against the winding of the triangle (or inwards)
+// Two triangles that make a flat quadrilateral are chosen as one, and then by their areas. They
+// follow each other.
+#define LOBE_LIGHT_FIRST_HALF 4u
+#define LOBE_LIGHT_SECOND_HALF 8u
 
 typedef struct LobeLight {
     LobeUint kind, primitive, flags;
-    float probability;      // of being chosen; the table below holds their running sum
+    LobeUint place;         // in the tree below: LOBE_WIDTH * node + lane; LOBE_NONE: no tree
     float r, g, b, area;    // radiance; intensity of a point; irradiance of a distant light
     float x, y, z, radius;  // sphere centre; point position; unit direction towards a distant light
 } LobeLight;
 LOBE_ASSERT_SIZE(LobeLight, 48);
+
+// A node of the tree over the lights, one lane a child; node 0 is the root. An absent child has no
+// intensity.
+typedef struct LobeLightNode {
+    // A sphere about the child. Lights infinitely far away have the unit direction towards them as
+    // centre, several a sphere of radius 2 about it, and `near` is 0 for them, else 1.
+    float centre[3][LOBE_WIDTH], radius[LOBE_WIDTH], near[LOBE_WIDTH];
+    float intensity[LOBE_WIDTH];  // luminance at unit distance, the most over directions
+    // Normals of what shines, each into its half space, lie within a cone about a unit axis. Of
+    // what shines everywhere the cosine of the cone's half angle is -2.
+    float axis[3][LOBE_WIDTH], spread_cosine[LOBE_WIDTH], spread_sine[LOBE_WIDTH];
+    LobeUint child[LOBE_WIDTH];  // node, or LOBE_LEAF | light (the first half of two)
+    LobeUint parent, pad[7];     // place of the node itself, as LobeLight::place
+} LobeLightNode;
+LOBE_ASSERT_SIZE(LobeLightNode, 416);
 
 #endif

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 
-#include "build/light_table.h"
 #include "support/chi_square.h"
 #include "support/meshes.h"
 #include "support/oracle.h"
@@ -26,6 +25,7 @@ struct Trip {
 struct From {
     glm::vec3 point;
     float choice, u, v;
+    glm::vec3 normal{0, 0, 1};
 };
 
 class LightRig {
@@ -40,20 +40,23 @@ class LightRig {
         const Device& d = test_device();
         std::vector<float> in;
         for (const From& f : from)
-            in.insert(in.end(), {f.point.x, f.point.y, f.point.z, f.choice, f.u, f.v});
+            in.insert(in.end(), {f.point.x, f.point.y, f.point.z, f.normal.x, f.normal.y,
+                                 f.normal.z, f.choice, f.u, f.v});
         Buffer<float> out(d, 8 * from.size());
         const Program program =
             build_probe("probe/light.cl", {{"lobe_scene.h", scene_header(all_features(), {})}});
-        run_probe(
-            program, "light_round_trip", from.size(), Buffer<LobeNode>(d, packed_.bvh.nodes),
-            Buffer<LobeTriangleLeaf>(d, packed_.bvh.triangle_leaves),
-            Buffer<LobeSphereLeaf>(d, packed_.bvh.sphere_leaves),
-            Buffer<LobeTriangle>(d, packed_.triangles), Buffer<LobeVertex>(d, packed_.vertices),
-            Buffer<LobeSphere>(d, packed_.spheres), Buffer<LobeSurface>(d, packed_.surfaces),
-            static_cast<cl_uint>(packed_.triangles.size()),
-            Buffer<LobeLight>(d, packed_.lights.lights), Buffer<float>(d, packed_.lights.sums),
-            static_cast<cl_uint>(packed_.lights.lights.size()), static_cast<cl_uint>(on),
-            Buffer<float>(d, in), out);
+        run_probe(program, "light_round_trip", from.size(), Buffer<LobeNode>(d, packed_.bvh.nodes),
+                  Buffer<LobeTriangleLeaf>(d, packed_.bvh.triangle_leaves),
+                  Buffer<LobeSphereLeaf>(d, packed_.bvh.sphere_leaves),
+                  Buffer<LobeTriangle>(d, packed_.triangles),
+                  Buffer<LobeVertex>(d, packed_.vertices), Buffer<LobeSphere>(d, packed_.spheres),
+                  Buffer<LobeSurface>(d, packed_.surfaces),
+                  static_cast<cl_uint>(packed_.triangles.size()),
+                  Buffer<LobeLight>(d, packed_.lights.lights),
+                  Buffer<LobeLightNode>(d, packed_.lights.nodes),
+                  static_cast<cl_uint>(packed_.lights.lights.size()),
+                  static_cast<cl_uint>(packed_.lights.root), static_cast<cl_uint>(on),
+                  Buffer<float>(d, in), out);
         const std::vector<float> n = out.read_all();
         std::vector<Trip> trips;
         for (std::size_t i = 0; i < n.size(); i += 8)
@@ -236,34 +239,6 @@ TEST(LightSampling, TrianglesShineOnOneSide) {
                     ASSERT_EQ(t.hit_radiance, lit ? 4 : 0);
                 }
             }
-        }
-    }
-}
-
-TEST(LightSampling, LightsAreChosenWithExactlyTheirProbability) {
-    const Program program =
-        build_probe("probe/light.cl", {{"lobe_scene.h", scene_header(all_features(), {})}});
-    Random random(2);
-    for (const int lights : {1, 2, 3, 100, 20000}) {
-        std::vector<PoweredLight> powered;
-        for (int i = 0; i < lights; ++i)
-            powered.push_back({LobeLight{}, i % 7 == 3 ? 0 : random.log_uniform(1e-5, 1)});
-        const LightTable table = make_light_table(powered);
-        // At both ends of each light's part of [0, 1), and anywhere.
-        std::vector<float> u = {0, 1 - 0x1p-24f};
-        for (const float sum : table.sums)
-            for (const float at : {sum - 0x1p-24f, sum})
-                if (at >= 0 && at < 1) u.push_back(at);
-        for (int i = 0; i < 10000; ++i) u.push_back(random.uniform_float());
-        Buffer<cl_uint> out(test_device(), u.size());
-        run_probe(program, "light_choose", u.size(), Buffer<float>(test_device(), table.sums),
-                  static_cast<cl_uint>(lights), Buffer<float>(test_device(), u), out);
-        const std::vector<cl_uint> chosen = out.read_all();
-        for (std::size_t i = 0; i < u.size(); ++i) {
-            const cl_uint c = chosen[i];
-            ASSERT_LT(u[i], table.sums[c]);
-            ASSERT_GE(u[i], c == 0 ? 0 : table.sums[c - 1]);
-            ASSERT_GT(table.lights[c].probability, 0);
         }
     }
 }

@@ -33,7 +33,7 @@ struct SceneBuffers {
           spheres(d, s.spheres),
           surfaces(d, s.surfaces),
           lights(d, s.lights.lights),
-          light_sums(d, s.lights.sums),
+          light_nodes(d, s.lights.nodes),
           filter(d, s.filter_nodes),
           frame(d, std::vector<LobeFrame>{s.frame}) {}
 
@@ -45,7 +45,7 @@ struct SceneBuffers {
     Buffer<LobeSphere> spheres;
     Buffer<LobeSurface> surfaces;
     Buffer<LobeLight> lights;
-    Buffer<cl_float> light_sums;
+    Buffer<LobeLightNode> light_nodes;
     Buffer<cl_float> filter;
     Buffer<LobeFrame> frame;
 };
@@ -85,8 +85,8 @@ class RayBench {
         Buffer<LobeBenchRay> shadows(device_, from.count), bounces(device_, from.count);
         run("bench_follow", from.count, buffers_.triangles, buffers_.vertices, buffers_.spheres,
             buffers_.surfaces, cl_uint(scene_.triangles.size()), buffers_.lights,
-            buffers_.light_sums, cl_uint(scene_.lights.lights.size()), depth, cl_uint(from.count),
-            from.rays, from.hits, shadows, bounces);
+            buffers_.light_nodes, cl_uint(scene_.lights.lights.size()), cl_uint(scene_.lights.root),
+            depth, cl_uint(from.count), from.rays, from.hits, shadows, bounces);
         return {existing(shadows), existing(bounces)};
     }
 
