@@ -44,8 +44,16 @@ std::size_t emitting_primitives(const Shape& shape) {
 
 }  // namespace
 
+bool outgrows_caches(std::size_t triangles) { return triangles > 700000; }
+
 FeatureSet derive_features(const Scene& scene) {
     Derivation d;
+    std::size_t triangles = 0;
+    for (const Shape& shape : scene.shapes)
+        if (const auto* mesh = std::get_if<Mesh>(&shape.geometry))
+            triangles += mesh->triangles.size();
+    if (outgrows_caches(triangles))
+        d.need(Feature::FETCH_AHEAD, std::to_string(triangles) + " triangles");
     for (const Shape& shape : scene.shapes) {
         const bool sphere = std::holds_alternative<Sphere>(shape.geometry);
         d.need(sphere ? Feature::SPHERES : Feature::TRIANGLES, "shape at " + shape.where);
@@ -63,6 +71,7 @@ FeatureSet derive_features(const Scene& scene) {
     if (scene.filter.kind != FilterKind::box) d.need(Feature::FILTER_TABLE, "the pixel filter");
 
     d.spare(Feature::SPHERES, "no shape is a sphere");
+    d.spare(Feature::FETCH_AHEAD, "caches hold the shapes, or most of them");
     d.spare(Feature::TRIANGLES, "no shape has triangles");
     d.spare(Feature::SPHERE_LIGHTS, "no sphere emits");
     d.spare(Feature::TRIANGLE_LIGHTS, "no triangle emits");

@@ -60,14 +60,27 @@ ulong make_wait(real entry, uint child) { return ((ulong)as_uint(entry) << 32) |
 #endif
 real wait_entry(ulong wait) { return (real)as_float((uint)(wait >> 32)); }
 
+// Asks memory for a node or the first block of a leaf that is to be visited, all its lines.
+void fetch_child(const Geometry* g, uint child) {
+    if (!LOBE_HAS_FETCH_AHEAD) return;
+    ulong at = (ulong)(g->nodes + child);
+    ulong size = sizeof(LobeNode);
+    if (child & LOBE_LEAF) {
+        at = (ulong)(g->triangle_leaves + (child & LOBE_LEAF_INDEX));
+        size = sizeof(LobeTriangleLeaf);
+    }
+    for (ulong line = 0; line < size; line += 64) fetch_line(at + line);
+}
+
 // Puts the children in `lanes` on the stack, nearest on top. Returns the new height.
-uint push_nearest_last(ulong* stack, uint height, lane_set lanes, real8 entries,
+uint push_nearest_last(const Geometry* g, ulong* stack, uint height, lane_set lanes, real8 entries,
                        global const LobeNode* node) {
     real entry[LOBE_WIDTH];
     vstore8(entries, 0, entry);
     uint base = height;
     for (; lanes; lanes = next_lanes(lanes)) {
         uint i = first_lane(lanes);
+        fetch_child(g, node->child[i]);
         ulong wait = make_wait(entry[i], node->child[i]);
         uint at = height++;
         for (; at > base && stack[at - 1] < wait; --at) stack[at] = stack[at - 1];
@@ -128,7 +141,7 @@ Hit nearest_hit(const Geometry* g, const Ray* ray) {
                 current = node->child[first_lane(lanes)];
                 continue;
             }
-            height = push_nearest_last(stack, height, lanes, entries, node);
+            height = push_nearest_last(g, stack, height, lanes, entries, node);
         }
         ulong wait;
         do {
@@ -153,8 +166,10 @@ int is_occluded(const Geometry* g, const Ray* ray) {
             global const LobeNode* node = &g->nodes[current];
             real8 entries;
             lane_set lanes = enter_children(node, &slabs, ray->reach, &entries);
-            for (; lanes; lanes = next_lanes(lanes))
-                stack[height++] = node->child[first_lane(lanes)];
+            for (; lanes; lanes = next_lanes(lanes)) {
+                stack[height] = node->child[first_lane(lanes)];
+                fetch_child(g, stack[height++]);
+            }
         }
         if (height == 0) return 0;
         current = stack[--height];

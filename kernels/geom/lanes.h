@@ -10,10 +10,12 @@
 typedef uint lane_set;
 lane_set lanes_of(mask8 mask) { return (uint)__builtin_ia32_movmskps256(as_float8(mask)); }
 uint first_lane(lane_set set) { return (uint)__builtin_ctz(set); }
+void fetch_line(ulong address) { __builtin_prefetch((const void*)address); }
 #else
 typedef ulong lane_set;  // bit 8 i for lane i
 lane_set lanes_of(mask8 mask) { return as_ulong(convert_char8(mask)) & 0x0101010101010101ul; }
 uint first_lane(lane_set set) { return (uint)popcount((set & (0ul - set)) - 1ul) >> 3; }
+void fetch_line(ulong address) {}  // OpenCL's own prefetch does nothing on CPUs
 #endif
 lane_set next_lanes(lane_set set) { return set & (set - 1); }
 

@@ -205,7 +205,7 @@ void nearest_hits(const Geometry* g, const Ray* rays, Hit* hits) {
                 current = node->child[first_lane(lanes)];
                 continue;
             }
-            height = push_nearest_last(stack, height, lanes, entries, node);
+            height = push_nearest_last(g, stack, height, lanes, entries, node);
         }
         ulong wait;
         do {

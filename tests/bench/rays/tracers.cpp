@@ -41,10 +41,11 @@ struct DeviceRays {
     Buffer<cl_uint> primitives;
 };
 
-std::string triangles_only() {
+std::string triangles_only(std::size_t triangles) {
     FeatureSet features = all_features();
     for (FeatureState& state : features)
-        if (state.name == "SPHERES") state.in = false;
+        if (state.name == "SPHERES" || (state.name == "FETCH_AHEAD" && !outgrows_caches(triangles)))
+            state.in = false;
     return scene_header(features, {});
 }
 
@@ -54,8 +55,8 @@ class OurTracer : public Tracer {
         : Tracer(std::move(name)),
           scene_(scene),
           call_(call),
-          program_(
-              test::build_probe("probe/geom.cl", {{"lobe_scene.h", header + triangles_only()}})) {}
+          program_(test::build_probe(
+              "probe/geom.cl", {{"lobe_scene.h", header + triangles_only(scene.triangles)}})) {}
 
     Pass trace(const RayClass& rays) override {
         auto found = rays_.find(rays.name);
@@ -176,10 +177,11 @@ Bvh bvh_of(const Mesh& mesh) {
 
 }  // namespace
 
-LobeScene::LobeScene(const Mesh& mesh) : LobeScene(bvh_of(mesh)) {}
+LobeScene::LobeScene(const Mesh& mesh) : LobeScene(bvh_of(mesh), mesh.triangles.size()) {}
 
-LobeScene::LobeScene(const Bvh& bvh)
-    : nodes(test::test_device(), bvh.nodes),
+LobeScene::LobeScene(const Bvh& bvh, std::size_t count)
+    : triangles(count),
+      nodes(test::test_device(), bvh.nodes),
       leaves(test::test_device(), bvh.triangle_leaves),
       no_spheres(test::test_device(), std::vector<LobeSphereLeaf>()) {}
 

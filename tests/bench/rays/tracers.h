@@ -32,12 +32,13 @@ class LobeScene {
     explicit LobeScene(const Mesh& mesh);
     std::size_t bytes() const;
 
+    std::size_t triangles;
     Buffer<LobeNode> nodes;
     Buffer<LobeTriangleLeaf> leaves;
     Buffer<LobeSphereLeaf> no_spheres;
 
   private:
-    explicit LobeScene(const Bvh& bvh);
+    LobeScene(const Bvh& bvh, std::size_t triangles);
 };
 
 // Single rays, or, but for shadow rays, packets of eight where the rays run alike. `header` goes
