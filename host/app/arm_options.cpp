@@ -88,19 +88,26 @@ SceneOptions arm_options(const SceneOptions& base, const std::string& name,
     return options;
 }
 
+std::optional<ArmParts> read_arm(const Device& device, KernelText& kernels,
+                                 const SceneOptions& options, const CommonOptions& common) {
+    const Stopwatch watch;
+    ArmParts parts;
+    parts.scene = read_scene_for(options, kernels);
+    check_trust(parts.scene, options.trust_scene_kernels);
+    parts.parse_seconds = watch.seconds();
+    parts.pack.models = read_brdf_tables(kernels);
+    if (!try_user_models(device, kernels, parts.pack.models, common)) return {};
+    parts.pack.all_features = options.features == "all";
+    parts.pack.integrator = options.integrator;
+    return parts;
+}
+
 std::unique_ptr<Arm> open_arm(const std::string& name, const Device& device, KernelText& kernels,
                               const SceneOptions& options, const CommonOptions& common) {
-    const Stopwatch watch;
-    const Scene scene = read_scene_for(options, kernels);
-    check_trust(scene, options.trust_scene_kernels);
-    const double parse_seconds = watch.seconds();
-    const std::vector<BrdfTable> models = read_brdf_tables(kernels);
-    if (!try_user_models(device, kernels, models, common)) return nullptr;
-    PackOptions pack;
-    pack.models = models;
-    pack.all_features = options.features == "all";
-    pack.integrator = options.integrator;
-    return std::make_unique<Arm>(name, device, kernels, scene, pack, parse_seconds);
+    const auto parts = read_arm(device, kernels, options, common);
+    if (!parts) return nullptr;
+    return std::make_unique<Arm>(name, device, kernels, parts->scene, parts->pack,
+                                 parts->parse_seconds);
 }
 
 }  // namespace lobe

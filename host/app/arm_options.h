@@ -25,6 +25,18 @@ SceneOptions arm_options(const SceneOptions& base, const std::string& name,
 // The same error, said to be in an option that holds others.
 Error in_option(const std::string& name, const Error& error);
 
+// What an arm is made of.
+struct ArmParts {
+    Scene scene;
+    PackOptions pack;
+    double parse_seconds = 0;
+};
+
+// Reads what the options name, and tries models that are the user's own, which `kernels` gets.
+// Nothing if a signal asked to stop. Throws Error as read_scene_for and check_trust.
+std::optional<ArmParts> read_arm(const Device& device, KernelText& kernels,
+                                 const SceneOptions& options, const CommonOptions& common);
+
 // Reads and compiles what the options name, after a trial of models that are the user's own.
 // `kernels` gets those models and must outlive the arm. Nothing if a signal asked to stop. Throws
 // Error as read_scene_for, check_trust and Arm's constructor.

@@ -93,6 +93,12 @@ FeatureSet all_features() {
     return set;
 }
 
+void force(FeatureSet& set, Feature feature) {
+    FeatureState& state = set[static_cast<std::size_t>(feature)];
+    if (!state.in) state.reason = "forced";
+    state.in = true;
+}
+
 std::vector<std::string> models_in_use(const Scene& scene) {
     std::set<std::string> models;
     for (const Material& material : scene.materials) models.insert(material.brdf);

@@ -38,6 +38,9 @@ FeatureSet derive_features(const Scene& scene);
 // All features, for a general kernel: the picture is the same to the bit.
 FeatureSet all_features();
 
+// Compiles a feature in that the scene may not need.
+void force(FeatureSet& set, Feature feature);
+
 // The names of the models that the scene's materials use, sorted.
 std::vector<std::string> models_in_use(const Scene& scene);
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/luminance.h"
+#include "build/feature_check.h"
 #include "build/filter.h"
 
 namespace lobe {
@@ -235,6 +236,13 @@ void check_rows(const Scene& scene, const std::vector<BrdfTable>& models) {
                             material.where);
 }
 
+FeatureSet features_for(const Scene& scene, const PackOptions& options) {
+    if (options.all_features) return all_features();
+    FeatureSet features = derive_features(scene);
+    for (const Feature feature : options.forced) force(features, feature);
+    return features;
+}
+
 }  // namespace
 
 PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
@@ -242,8 +250,10 @@ PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
     PackedScene packed;
     packed.placement = place_scene(scene);
     packed.integrator = options.integrator;
-    packed.features = options.all_features ? all_features() : derive_features(scene);
-    packed.models = options.all_features ? options.models : tables_in_use(scene, options.models);
+    packed.features = features_for(scene, options);
+    packed.models = options.all_features || options.all_models
+                        ? options.models
+                        : tables_in_use(scene, options.models);
     Packer(scene, packed).pack();
     packed.bvh = build_bvh(packed.triangles, packed.vertices, packed.spheres);
     packed.frame = pack_frame(scene, packed.placement);
@@ -255,6 +265,7 @@ PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
     packed.frame.triangles = static_cast<LobeUint>(packed.triangles.size());
     packed.frame.lights = static_cast<LobeUint>(packed.lights.lights.size());
     packed.frame.light_root = packed.lights.root;
+    check_features(packed);
     return packed;
 }
 

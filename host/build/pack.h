@@ -37,6 +37,8 @@ struct PackOptions {
     std::vector<BrdfTable> models;  // all there are
     bool all_features = false;      // compile everything in, all models too
     Integrator integrator;
+    std::vector<Feature> forced;  // compiled in, needed or not
+    bool all_models = false;      // compile all models in, and only the features needed
 };
 
 // Throws Error (scene) for a film or a scene past what 32-bit indices can name, and Error

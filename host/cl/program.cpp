@@ -82,6 +82,15 @@ cl::Kernel Program::kernel(const std::string& name) const {
     return checked([&] { return cl::Kernel(program, name.c_str()); });
 }
 
+std::optional<std::size_t> binary_bytes(const Program& program) {
+    try {
+        const auto sizes = program.program.getInfo<CL_PROGRAM_BINARY_SIZES>();
+        if (sizes.size() == 1 && sizes[0] > 0) return sizes[0];
+    } catch (const cl::Error&) {
+    }
+    return {};
+}
+
 // All that a binary depends on, with lengths so that no two lists of parts read alike.
 std::string program_key(const DeviceInfo& info, const std::string& source,
                         const ProgramOptions& options) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CL/opencl.hpp>
+#include <optional>
 #include <string>
 
 namespace lobe {
@@ -24,6 +25,10 @@ struct Program {
     // Throws Error (device) if the program has no such kernel.
     cl::Kernel kernel(const std::string& name) const;
 };
+
+// Bytes of the program's binary, or nothing if the device does not tell. Asking may cost a
+// compilation.
+std::optional<std::size_t> binary_bytes(const Program& program);
 
 // The key of the program that build_program makes of this text.
 std::string program_key(const DeviceInfo& info, const std::string& source,

@@ -168,6 +168,18 @@ RenderStatus Session::status() const {
 
 std::size_t Session::device_bytes() const { return buffers_->bytes(); }
 
+std::optional<std::size_t> Session::private_bytes() const {
+    // PoCL says 1024 of every kernel.
+    const DeviceInfo& info = device_.info();
+    if (info.platform == "Portable Computing Language" && info.type & CL_DEVICE_TYPE_CPU) return {};
+    try {
+        const auto bytes = render_.getWorkGroupInfo<CL_KERNEL_PRIVATE_MEM_SIZE>(device_.device());
+        if (bytes > 0) return static_cast<std::size_t>(bytes);
+    } catch (const cl::Error&) {
+    }
+    return {};
+}
+
 void Session::keep_program() const { save_binary(device_, program_); }
 
 }  // namespace lobe

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,11 @@ class Session {
     double upload_seconds() const { return upload_seconds_; }
     bool compiled_from_cache() const { return program_.cached; }
     std::size_t device_bytes() const;
+
+    // What the device tells of the kernel, if it does: bytes of private memory that a work-item
+    // has, and of the program's binary, asking for which may cost a compilation.
+    std::optional<std::size_t> private_bytes() const;
+    std::optional<std::size_t> binary_bytes() const { return lobe::binary_bytes(program_); }
 
     // Keeps the compiled program for later runs where that pays; call it after the render.
     void keep_program() const;

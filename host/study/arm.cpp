@@ -66,14 +66,14 @@ ArmRun Arm::run(std::uint64_t seed, std::uint32_t samples, const std::function<b
     return {seed, samples, estimate(outcome.film), outcome.seconds, outcome.stopped};
 }
 
-double Arm::compile_again(Caches caches) const {
+std::unique_ptr<Session> Arm::open_again(Caches caches) const {
     KernelText kernels = kernels_;
     if (caches == Caches::none) {
         const auto now = std::chrono::system_clock::now().time_since_epoch().count();
         kernels.add("render.cl", kernels.read("render.cl") + "\nint unknown_to_caches_" +
                                      std::to_string(now) + "(void) { return 0; }\n");
     }
-    return Session(device_, kernels, packed_).compile_seconds();
+    return std::make_unique<Session>(device_, kernels, packed_);
 }
 
 std::size_t Arm::device_bytes() const { return session_ ? session_->device_bytes() : 0; }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "base/kernel_text.h"
@@ -51,10 +52,11 @@ class Arm {
     // Renders so many samples a pixel. Throws Error (internal) if the kernel trapped.
     ArmRun run(std::uint64_t seed, std::uint32_t samples, const std::function<bool()>& stop = {});
 
-    // Seconds to compile its kernel once more, with what caches hold or without: then as a text
-    // that has one more function (PoCL's cache looks at what the preprocessor leaves). Throws Error
-    // (device).
-    double compile_again(Caches caches) const;
+    // Compiles its kernel once more, with what caches hold or without: then as a text that has one
+    // more function (PoCL's cache looks at what the preprocessor leaves). Throws Error (device).
+    std::unique_ptr<Session> open_again(Caches caches) const;
+    // The seconds that takes.
+    double compile_again(Caches caches) const { return open_again(caches)->compile_seconds(); }
 
     std::size_t device_bytes() const;  // that it holds now
 
