@@ -38,6 +38,9 @@ FeatureSet derive_features(const Scene& scene);
 // All features, for a general kernel: the picture is the same to the bit.
 FeatureSet all_features();
 
+// Whether a feature is a hint to the device: it changes the time, never the picture.
+constexpr bool is_hint(Feature feature) { return feature == Feature::FETCH_AHEAD; }
+
 // Compiles a feature in that the scene may not need.
 void force(FeatureSet& set, Feature feature);
 

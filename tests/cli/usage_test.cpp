@@ -45,7 +45,7 @@ TEST_F(Cli, EveryVerbHasHelpAndVersion) {
 
 TEST_F(Cli, AVerbIsNeeded) {
     expect_fault(lobe({}), 2, "a verb is missing",
-                 "choose one of: render, compare, converge, features, devices");
+                 "choose one of: render, compare, bench, converge, features, devices");
     expect_fault(lobe({"rendr", "scene.pbrt"}), 2, "unknown verb 'rendr'",
                  "did you mean 'render'?");
     expect_fault(lobe({"--spp", "4"}), 2, "unknown option '--spp'", "choose one of: render");
