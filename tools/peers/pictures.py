@@ -7,7 +7,7 @@ import sys
 
 
 def luminances(r, g, b):
-    return [0.2126 * x + 0.7152 * y + 0.0722 * z for x, y, z in zip(r, g, b)]
+    return array.array("f", (0.2126 * x + 0.7152 * y + 0.0722 * z for x, y, z in zip(r, g, b)))
 
 
 def read_raw(path, scale):
@@ -17,7 +17,7 @@ def read_raw(path, scale):
         values.frombytes(source.read())
     if sys.byteorder == "big":
         values.byteswap()
-    return [scale * y for y in luminances(values[0::3], values[1::3], values[2::3])]
+    return array.array("f", (scale * y for y in luminances(values[0::3], values[1::3], values[2::3])))
 
 
 def read_exr(path):
@@ -56,7 +56,7 @@ def mean(values):
 
 
 def average(a, b):
-    return [0.5 * (x + y) for x, y in zip(a, b)]
+    return array.array("f", (0.5 * (x + y) for x, y in zip(a, b)))
 
 
 def visible(picture, size, limit):
@@ -67,16 +67,14 @@ def visible(picture, size, limit):
     return [i for i in range(size * size) if (i // size, i % size) not in masked]
 
 
-def relative_rmse(picture, reference, pixels, reference_mse=0.0):
-    """Root mean square error over the reference's mean; reference_mse, what noise of the reference
-    itself adds, is taken off."""
-    mse = mean([(picture[i] - reference[i]) ** 2 for i in pixels]) - reference_mse
-    return math.sqrt(max(mse, 0)) / mean([reference[i] for i in pixels])
-
-
-def half_difference_mse(a, b, pixels):
-    """The mean squared error of the average of two independent pictures."""
-    return mean([0.25 * (a[i] - b[i]) ** 2 for i in pixels])
+def relative_rmse(picture, a, b, pixels, leave_out=0.0):
+    """Root mean square error over the mean, without the worst part of the pixels. The reference is
+    the average of the independent a and b, whose own noise, (a - b)^2 / 4, is taken off."""
+    errors = sorted(((picture[i] - 0.5 * (a[i] + b[i])) ** 2, 0.25 * (a[i] - b[i]) ** 2)
+                    for i in pixels)
+    kept = errors[:len(errors) - round(leave_out * len(errors))]
+    mse = mean([error for error, _ in kept]) - mean([noise for _, noise in kept])
+    return math.sqrt(max(mse, 0)) / mean([0.5 * (a[i] + b[i]) for i in pixels])
 
 
 def blocks(picture, size, pixels, across=8):

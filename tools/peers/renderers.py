@@ -28,7 +28,8 @@ class Renderer:
 
 
 MITSUBA = ("roughconductor (GGX) blended with diffuse", "pip install mitsuba numpy")
-LUXCORE = ("metal2 (Schlick's facets, Fresnel factor) mixed with matte; its lamps are meshes",
+LUXCORE = ("metal2 (Schlick's facets, Fresnel factor) mixed with matte; a shining ball is a sphere "
+           "light, not seen in reflections",
            "pip install pyluxcore")
 RENDERERS = [
     Renderer("lobe", "lobe", "lobe", "", "", "tools/build lobe",
@@ -111,7 +112,8 @@ def read(renderer, options, stem):
         return pictures.read_exr(stem + ".exr"), result["seconds"]["render"], result["spp"]
     if renderer.name == "cycles":  # written by Blender; pbrt's camera is left-handed
         picture, n = pictures.read_exr(stem + ".picture"), options.size
-        mirrored = [y for row in range(n) for y in reversed(picture[row * n:(row + 1) * n])]
-        return mirrored, result["render_s"], result["spp"]
+        for row in range(0, n * n, n):
+            picture[row:row + n] = picture[row:row + n][::-1]
+        return picture, result["render_s"], result["spp"]
     picture = pictures.read_raw(stem + ".picture", result["scale"])
     return picture, result["render_s"], result["spp"]

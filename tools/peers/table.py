@@ -7,13 +7,14 @@ import sys
 import time
 
 HEAD = ["renderer", "process s", "render s", "Msamples/s", "peak MB", "cold s", "RMSE %",
-        "s to 1 %", "equal error", "mean, blocks"]
+        "but worst", "s to 1 %", "but worst", "equal error", "mean, blocks"]
 NOTES = """\
 Medians over the rounds (least to most). process: the whole process, warm caches; render: rendering alone;
 cold: what the first run with empty kernel caches takes longer. RMSE: of luminance over the mean, against
-the same renderer's own reference, whose noise is taken off; pixels at visible lamps are left out.
-s to 1 %: render s times (RMSE / 1 %)^2, extrapolated. equal error: a run with the samples extrapolated to
-the target: process s, samples a pixel, the RMSE found; in brackets: too long, so extrapolated only.
+the same renderer's own reference, whose noise is taken off; pixels at visible lamps are left out. but
+worst: without the worst 0.1 % of the pixels. s to 1 %: render s times (RMSE / 1 %)^2, extrapolated.
+equal error: a run with the samples extrapolated to the target: process s, samples a pixel, the RMSE found;
+in brackets: extrapolated only, for it would take too long or more than half the reference's samples.
 mean, blocks: this renderer's reference over lobe's, of the means and RMS of 8x8 block means, in %."""
 
 
@@ -41,7 +42,8 @@ def cells(row):
     return [row["title"], spread(row["wall_s"]), spread(row["render_s"]),
             spread(row["msamples_per_s"]), figure(row["peak_mb"]["median"]),
             figure(row["cold_s"]) if "cold_s" in row else "-", spread(row["relative_rmse"], 100),
-            spread(row["one_percent_s"]), equal_error(row),
+            spread(row["relative_rmse_trimmed"], 100), spread(row["one_percent_s"]),
+            spread(row["one_percent_s_trimmed"]), equal_error(row),
             picture + (" OTHER PICTURE" if row["other_picture"] else "")]
 
 
@@ -70,8 +72,8 @@ def text(report):
     m, o = report["machine"], report["options"]
     lines = [f"{m['processor']}, {m['cores']} cores, {m['threads']} threads; {m['date']}, "
              f"load {m['load_at_start']:.1f} at the start; lobe on {m['lobe_device']}",
-             "; ".join(f"{name} {version}" for name, version in m["versions"].items()),
-             f"{o['size']}x{o['size']} pixels, {o['spp']} samples a pixel, {o['rounds']} rounds, "
+             "; ".join(f"{name}: {version}" for name, version in m["versions"].items()),
+             f"{o['size']}x{o['size']} pixels, {o['spp']} samples a pixel, rounds: {o['rounds']}, "
              f"references of {o['reference_spp']}, equal error at {100 * o['target']:g} %",
              "", f"    {m['command']}", ""]
     for scene in report["scenes"]:
