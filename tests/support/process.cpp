@@ -138,9 +138,17 @@ bool Process::read_some() {
     return true;
 }
 
-bool Process::wait_for_stderr(const std::string& text) {
-    while (result_.err.find(text) == std::string::npos)
-        if (!read_some()) return false;
+bool Process::wait_for_stderr(const std::string& text, unsigned times) {
+    std::size_t at = 0;
+    while (times > 0) {
+        const std::size_t found = result_.err.find(text, at);
+        if (found != std::string::npos) {
+            at = found + text.size();
+            --times;
+        } else if (!read_some()) {
+            return false;
+        }
+    }
     return true;
 }
 

@@ -40,9 +40,9 @@ class Process {
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    // Collects what the program writes until standard error holds `text`; false if it ended or ran
-    // out of time before.
-    bool wait_for_stderr(const std::string& text);
+    // Collects what the program writes until standard error holds `text` so many times; false if it
+    // ended or ran out of time before.
+    bool wait_for_stderr(const std::string& text, unsigned times = 1);
 
     // Sends a signal.
     void kill(int signal) const;
