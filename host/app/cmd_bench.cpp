@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // lobe bench: what a device does with standard scenes, to be held against other devices.
-#include <sys/resource.h>
-
 #include <cstdio>
 #include <memory>
 
@@ -12,7 +10,10 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/log.h"
+#include "base/memory_peak.h"
 #include "base/signals.h"
+#include "report/image_io.h"
+#include "study/bench/bench_page.h"
 #include "study/bench/bench_report.h"
 
 namespace lobe {
@@ -26,7 +27,8 @@ struct Options {
     std::vector<std::string> paths, against, command;
     std::string resolution = "512x512";
     BenchPlan plan;
-    bool quick = false;
+    std::string html;
+    bool quick = false, growth = false;
 };
 
 void add_options(CLI::App& verb, Options& o) {
@@ -44,6 +46,10 @@ void add_options(CLI::App& verb, Options& o) {
         ->transform(whole_number(8, 1u << 26))
         ->type_name("NUMBER");
     verb.add_flag("--quick", o.quick, "64x64, 8 samples, 4096 rays, 2 repeats: for slow devices");
+    verb.add_flag(
+        "--growth", o.growth,
+        "also how time and memory grow with triangles, lights, film and samples: minutes");
+    verb.add_option("--html", o.html, "write a page with tables and plots")->type_name("FILE");
     verb.add_option("--compare", o.against, "no run: two reports side by side")
         ->expected(2)
         ->type_name("A.json B.json");
@@ -61,12 +67,6 @@ BenchPlan plan_of(const Options& o) {
     }
     plan.rays.repeats = plan.repeats;
     return plan;
-}
-
-std::size_t most_memory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
 nlohmann::ordered_json read_report(const std::string& file) {
@@ -87,7 +87,8 @@ int run(const Options& o) {
     set_quiet(o.common.quiet);
     if (!o.against.empty()) return compare(o);
     install_signal_handlers();
-    if (!o.common.json.empty() && o.common.json != "-") check_writable(o.common.json);
+    for (const std::string& file : {o.common.json, o.html})
+        if (!file.empty() && file != "-") check_writable(file);
     const Device device = open_device(o.common.device);
     BenchReport report;
     report.version = LOBE_VERSION;
@@ -107,10 +108,15 @@ int run(const Options& o) {
         if (!figures) break;
         report.scenes.push_back(std::move(*figures));
     }
-    report.host_bytes = most_memory();
+    report.host_bytes = memory_peak();
     if (report.scenes.empty()) return stop_exit_code();
+    if (o.growth && !stop())
+        report.growth = measure_growth(device, open_kernels(o.common),
+                                       o.quick ? short_growth() : whole_growth(), stop);
     if (o.common.json != "-" && !o.common.quiet) std::printf("%s", to_text(report).c_str());
     if (!o.common.json.empty()) write_json(o.common.json, to_json(report).dump(2) + "\n");
+    ImageIo images;
+    if (!o.html.empty()) write_file(o.html, to_html(bench_page(report), images));
     return stop_signal() ? stop_exit_code() : 0;
 }
 

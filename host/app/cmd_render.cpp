@@ -183,7 +183,7 @@ int run(const Options& options) {
     check_outputs(options.outputs, options.written.common.json);
     if (!options.written.html.empty()) check_writable(options.written.html);
     RenderGoals goals = options.goals;
-    const PackedScene packed = prepare(options, kernels, report, goals);
+    PackedScene packed = prepare(options, kernels, report, goals);
 
     ImageIo images;
     const Device device = open_device(options.written.common.device);
@@ -193,6 +193,7 @@ int run(const Options& options) {
     RenderJob job(options.written, report, packed, images, total);
     Watchdog watchdog(options.watchdog, [&](double seconds) { job.end_hung(seconds); });
     const auto session = open_session(device, kernels, packed, watchdog);
+    free_shapes(packed);
     check_host_memory(*session, goals);
     images
         .begin();  // while the device renders; before, it would hold up the device's own libraries

@@ -269,4 +269,14 @@ PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
     return packed;
 }
 
+void free_shapes(PackedScene& packed) {
+    packed.bvh = {};
+    packed.triangles = {};
+    packed.vertices = {};
+    packed.spheres = {};
+    packed.surfaces = {};
+    packed.tables = {};
+    packed.lights = {};
+}
+
 }  // namespace lobe

@@ -46,6 +46,9 @@ struct PackOptions {
 // `options` does not have is taken to be a file of lobe's, brdf/NAME.h.
 PackedScene pack_scene(const Scene& scene, const PackOptions& options = {});
 
+// Frees what the device has a copy of: shapes, their hierarchies, lights and tables.
+void free_shapes(PackedScene& packed);
+
 // The camera and film part of the frame, and the half widths of the filter.
 LobeFrame pack_frame(const Scene& scene, const Placement& placement);
 

@@ -61,7 +61,9 @@ TEST_F(Stopped, InterruptWritesThePictureSoFar) {
     EXPECT_NE(result.out.find("(stopped early)"), std::string::npos) << result.out;
     EXPECT_EQ(files(), "out.exr out.json scene.pbrt");
     // What was rendered is what a whole render of as many samples gives.
-    if (spp < 60000) EXPECT_EQ(hash({"--spp", std::to_string(spp)}), json["image_hash"]);
+    if (spp < 60000) {
+        EXPECT_EQ(hash({"--spp", std::to_string(spp)}), json["image_hash"]);
+    }
 }
 
 TEST_F(Stopped, TerminateDoesTheSame) {

@@ -10,8 +10,6 @@ namespace lobe::test {
 
 namespace {
 
-constexpr double two_pi = 6.283185307179586;
-
 Mesh icosahedron() {
     const double g = (1 + std::sqrt(5.0)) / 2;
     Mesh mesh;
@@ -46,33 +44,6 @@ Mesh icosphere(int levels) {
         }
         mesh.triangles = std::move(finer);
     }
-    return mesh;
-}
-
-Mesh bumpy_torus(unsigned around, unsigned across, double tube, double bumps) {
-    Mesh mesh;
-    for (unsigned i = 0; i < around; ++i) {
-        for (unsigned k = 0; k < across; ++k) {
-            const double u = two_pi * i / around, v = two_pi * k / across;
-            const double r = tube * (1 + bumps * std::sin(7 * u) * std::sin(5 * v));
-            const double out = 1 + r * std::cos(v);
-            mesh.positions.push_back({out * std::cos(u), out * std::sin(u), r * std::sin(v)});
-            const unsigned next = (i + 1) % around, up = (k + 1) % across;
-            const unsigned a = i * across + k, b = next * across + k;
-            const unsigned c = next * across + up, d = i * across + up;
-            mesh.triangles.push_back({a, b, c});
-            mesh.triangles.push_back({a, c, d});
-        }
-    }
-    return mesh;
-}
-
-Mesh cube() {
-    Mesh mesh;
-    for (unsigned i = 0; i < 8; ++i)
-        mesh.positions.push_back({i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1});
-    mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return mesh;
 }
 

@@ -6,17 +6,15 @@
 
 #include "scene/scene.h"
 #include "base/random.h"
+#include "study/bench/growth_scenes.h"
 
 namespace lobe::test {
 
+using lobe::bumpy_torus;
+using lobe::cube;
+
 // The unit sphere from an icosahedron, each triangle cut in four `levels` times: 20 * 4^levels.
 Mesh icosphere(int levels);
-
-// A closed torus about z of radii 1 and `tube`, with bumps: 2 * around * across triangles.
-Mesh bumpy_torus(unsigned around, unsigned across, double tube = 0.4, double bumps = 0.1);
-
-// The box [-1, 1]^3: 12 triangles that face outwards.
-Mesh cube();
 
 // The rectangle of corners c, c + a, c + a + b, c + b; its normal is a x b.
 Mesh rectangle(const glm::dvec3& c, const glm::dvec3& a, const glm::dvec3& b);

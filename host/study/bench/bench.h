@@ -10,6 +10,7 @@
 
 #include "cl/device.h"
 #include "study/arm.h"
+#include "study/bench/growth.h"
 #include "study/bench/ray_rates.h"
 
 namespace lobe {
@@ -41,7 +42,8 @@ struct BenchReport {
     BenchPlan plan;
     std::vector<std::string> command;
     std::vector<BenchScene> scenes;
-    std::size_t host_bytes = 0;  // most that the process held
+    std::vector<GrowthSeries> growth;  // if it was asked for
+    std::size_t host_bytes = 0;        // most that the process held
 };
 
 // Times a scene. Nothing if `stop` said so before there was a figure. Throws Error (device).

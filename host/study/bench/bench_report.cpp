@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "report/text_table.h"
+#include "study/bench/growth_report.h"
 
 namespace lobe {
 namespace {
@@ -113,11 +114,13 @@ std::string to_text(const BenchReport& report) {
     std::string text = "device     " + report.device.name + ", " + report.device.platform + ", " +
                        report.device.driver + "\n";
     for (const BenchScene& scene : report.scenes) text += "\n" + scene_text(scene, report.plan);
+    if (!report.growth.empty()) text += "\n" + to_text(report.growth);
     return text + formatted("\nhost       %.0f MB at most\n", double(report.host_bytes) / 1e6);
 }
 
 Json to_json(const BenchReport& report) {
-    Json json = {{"kind", "lobe bench"},
+    Json json = {{"schema", 1},
+                 {"kind", "lobe bench"},
                  {"lobe", report.version},
                  {"command", report.command},
                  {"device", report.device.name},
@@ -128,6 +131,7 @@ Json to_json(const BenchReport& report) {
                  {"host_bytes", report.host_bytes},
                  {"scenes", Json::array()}};
     for (const BenchScene& scene : report.scenes) json["scenes"].push_back(scene_json(scene));
+    if (!report.growth.empty()) json["growth"] = to_json(report.growth);
     return json;
 }
 

@@ -80,7 +80,7 @@ class Measurement {
         return true;
     }
 
-    // How fast a session is depends on where its memory lies: every repeat has new ones.
+    // How fast sessions are depends on where their memory lies: every repeat has new ones.
     void reopen(Arm& first, Arm& second) {
         for (Arm* arm : {&first, &second}) arm->close();
         for (Arm* arm : {&first, &second}) arm->reopen();
@@ -144,11 +144,12 @@ class Measurement {
 std::vector<KernelVariant> kernel_variants(const Scene& scene, const PackOptions& own) {
     std::vector<KernelVariant> variants;
     if (own.all_features) return variants;
-    const FeatureSet needed = derive_features(scene);
-    for (std::size_t i = 0; i < needed.size(); ++i) {
-        if (needed[i].in) continue;
-        variants.push_back({needed[i].name, own});
-        variants.back().pack.forced = {static_cast<Feature>(i)};
+    FeatureSet in = derive_features(scene);
+    for (const Feature feature : own.forced) force(in, feature);
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        if (in[i].in) continue;
+        variants.push_back({in[i].name, own});
+        variants.back().pack.forced.push_back(static_cast<Feature>(i));
     }
     const bool features = !variants.empty();
     const bool models = models_in_use(scene).size() < own.models.size();

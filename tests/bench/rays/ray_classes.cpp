@@ -93,17 +93,6 @@ std::vector<TestRay> cosine_rays(const std::vector<Meeting>& from, Random& rando
 
 }  // namespace
 
-Mesh torus_in_a_room(unsigned triangles) {
-    const double across = std::sqrt(triangles / 4.0);
-    Mesh mesh = test::bumpy_torus(unsigned(2 * across), unsigned(across));
-    Mesh room = test::cube();
-    test::transform(room, glm::dmat4(3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1));
-    const auto first = static_cast<unsigned>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), room.positions.begin(), room.positions.end());
-    for (const glm::uvec3& t : room.triangles) mesh.triangles.push_back(t + first);
-    return mesh;
-}
-
 std::vector<RayClass> ray_classes(const Mesh& mesh, const test::EmbreeScene& embree,
                                   unsigned side) {
     Random random(1);

@@ -16,9 +16,6 @@ struct RayClass {
     std::vector<test::TestRay> rays;
 };
 
-// A torus with bumps of about so many triangles, in a closed room of twelve.
-Mesh torus_in_a_room(unsigned triangles);
-
 // Of a pinhole camera of side x side rays, in blocks of 4 x 2, that looks at the middle of the
 // mesh: primary rays; from what these meet, shadow rays to a small square above and rays of random
 // cosine direction; and from what the latter meet, such rays again. Origins are moved off the
