@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t sums_bytes = 64u << 20;
 // PoCL compiles anew for grids of 65,536 and more.
 constexpr std::uint32_t grid_limit = 65528;
+// Jobs that a launch may have even where the film has fewer tiles: they are further blocks.
+constexpr std::uint32_t least_jobs = 256;
 
 unsigned round_up(unsigned value, unsigned grain) { return (value + grain - 1) / grain * grain; }
 
@@ -98,8 +100,8 @@ void Session::upload(const PackedScene& scene) {
     const Stopwatch watch;
     const std::size_t limit = std::min<std::size_t>(sums_bytes, device_.info().largest_allocation) /
                               (tile_sums * sizeof(LobeBlockSum));
-    max_tiles_ = static_cast<std::uint32_t>(
-        std::clamp<std::size_t>(limit, 1, std::min(grid_limit / LOBE_TILE, tile_count(frame_))));
+    max_tiles_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(
+        limit, 1, std::min(grid_limit / LOBE_TILE, std::max(tile_count(frame_), least_jobs))));
     buffers_ = std::make_unique<Buffers>(device_, scene, max_tiles_);
     prepare_materials(scene.materials.size());
     Buffers& b = *buffers_;
