@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 
+#include "app/background_start.h"
 #include "app/command.h"
 #include "app/numbers.h"
 #include "app/render_job.h"
@@ -109,9 +110,10 @@ void warn_of_status(const RenderStatus& status) {
                     "render with --features all and report this as a fault of lobe");
 }
 
-// Everything up to the first launch: the scene as the device wants it, each step timed.
-PackedScene prepare(const Options& options, KernelText& kernels, RenderReport& report,
-                    RenderGoals& goals) {
+// The scene as the device wants it, each step timed. Its kernel is compiled meanwhile, unless that
+// holds a model of the user's own, which is to be tried first.
+PackedScene prepare(const Options& options, KernelText& kernels, BackgroundStart& start,
+                    RenderReport& report, RenderGoals& goals) {
     Stopwatch watch;
     const Scene scene = read_scene_for(options.scene, kernels);
     check_trust(scene, options.scene.trust_scene_kernels);
@@ -126,9 +128,13 @@ PackedScene prepare(const Options& options, KernelText& kernels, RenderReport& r
     if ((goals.error || goals.time) && !options.scene.spp) goals.samples = endless;
     report.seconds.parse = watch.restart();
 
-    PackedScene packed = pack_scene(
-        scene,
-        {read_brdf_tables(kernels), options.scene.features == "all", options.scene.integrator});
+    const PackOptions pack{read_brdf_tables(kernels), options.scene.features == "all",
+                           options.scene.integrator};
+    const KernelNeeds needs = kernel_needs(scene, pack);
+    if (std::none_of(needs.models.begin(), needs.models.end(),
+                     [](const BrdfTable& model) { return model.own; }))
+        start.compile(kernels, needs);
+    PackedScene packed = pack_scene(scene, pack);
     if (packed.lights.lights.empty() && !scene.environment)
         warn("the scene has no light: the picture will be black", scene.path);
     report.features = packed.features;
@@ -159,12 +165,12 @@ int stopped_early() {
 }
 
 // The user's own models are compiled with all the others: a fault of theirs is told as theirs.
-std::unique_ptr<Session> open_session(const Device& device, const KernelText& kernels,
+std::unique_ptr<Session> open_session(BackgroundStart& start, const KernelText& kernels,
                                       const PackedScene& packed, Watchdog& watchdog) {
-    SessionOptions options;
-    options.watchdog = &watchdog;
     try {
-        return std::make_unique<Session>(device, kernels, packed, options);
+        auto kernel = start.kernel();
+        if (!kernel) kernel.emplace(start.device(), kernels, packed);
+        return std::make_unique<Session>(start.device(), std::move(*kernel), packed, &watchdog);
     } catch (const Error& error) {
         throw users_fault(error, kernels);
     }
@@ -183,20 +189,19 @@ int run(const Options& options) {
     check_outputs(options.outputs, options.written.common.json);
     if (!options.written.html.empty()) check_writable(options.written.html);
     RenderGoals goals = options.goals;
-    PackedScene packed = prepare(options, kernels, report, goals);
+    BackgroundStart start(options.written.common.device);
+    PackedScene packed = prepare(options, kernels, start, report, goals);
 
     ImageIo images;
-    const Device device = open_device(options.written.common.device);
+    const Device& device = start.device();
     report.device = device.info();
     if (!try_user_models(device, kernels, packed.models, options.written.common))
         return stopped_early();
     RenderJob job(options.written, report, packed, images, total);
     Watchdog watchdog(options.watchdog, [&](double seconds) { job.end_hung(seconds); });
-    const auto session = open_session(device, kernels, packed, watchdog);
+    const auto session = open_session(start, kernels, packed, watchdog);
     free_shapes(packed);
     check_host_memory(*session, goals);
-    images
-        .begin();  // while the device renders; before, it would hold up the device's own libraries
     job.render(*session, goals, options.seed, watchdog);
     warn_of_status(*report.status);
     if (report.picture.mean_samples == 0) return stopped_early();  // not worth the old picture

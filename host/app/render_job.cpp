@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <future>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -171,15 +172,18 @@ void RenderJob::take(const Film& film, double seconds, bool stopped) {
     report_.device_bytes = session_->device_bytes();
 }
 
+// Side by side. The first of several failures is told; the other pictures are written.
 void RenderJob::write_pictures() {
     const Stopwatch watch;
-    for (const std::string& output : report_.outputs) {
-        if (image_format(output) == "png")
-            images_.write(output, display_picture(report_.picture, outputs_.exposure));
-        else
-            images_.write(output,
-                          float_picture(report_.picture, picture_facts(report_, packed_.frame)));
-    }
+    std::vector<std::future<void>> all;
+    for (const std::string& output : report_.outputs)
+        all.push_back(std::async(std::launch::async, [this, output] {
+            images_.write(output, image_format(output) == "png"
+                                      ? display_picture(report_.picture, outputs_.exposure)
+                                      : float_picture(report_.picture,
+                                                      picture_facts(report_, packed_.frame)));
+        }));
+    for (std::future<void>& one : all) one.get();
     report_.seconds.write = watch.seconds();
 }
 

@@ -245,15 +245,16 @@ FeatureSet features_for(const Scene& scene, const PackOptions& options) {
 
 }  // namespace
 
+KernelNeeds kernel_needs(const Scene& scene, const PackOptions& options) {
+    const bool all_models = options.all_features || options.all_models;
+    return {features_for(scene, options), options.integrator,
+            all_models ? options.models : tables_in_use(scene, options.models)};
+}
+
 PackedScene pack_scene(const Scene& scene, const PackOptions& options) {
     check_rows(scene, options.models);
-    PackedScene packed;
+    PackedScene packed{kernel_needs(scene, options)};
     packed.placement = place_scene(scene);
-    packed.integrator = options.integrator;
-    packed.features = features_for(scene, options);
-    packed.models = options.all_features || options.all_models
-                        ? options.models
-                        : tables_in_use(scene, options.models);
     Packer(scene, packed).pack();
     packed.bvh = build_bvh(packed.triangles, packed.vertices, packed.spheres);
     packed.frame = pack_frame(scene, packed.placement);

@@ -15,11 +15,15 @@
 
 namespace lobe {
 
-struct PackedScene {
-    Placement placement;
+// All that the kernel's text depends on.
+struct KernelNeeds {
     FeatureSet features;
     Integrator integrator;
     std::vector<BrdfTable> models;  // a material's model is a place in this list
+};
+
+struct PackedScene : KernelNeeds {
+    Placement placement;
     Bvh bvh;
     std::vector<LobeTriangle> triangles;
     std::vector<LobeVertex> vertices;
@@ -40,6 +44,9 @@ struct PackOptions {
     std::vector<Feature> forced;  // compiled in, needed or not
     bool all_models = false;      // compile all models in, and only the features needed
 };
+
+// What pack_scene() of the same would need of the kernel, known long before.
+KernelNeeds kernel_needs(const Scene& scene, const PackOptions& options = {});
 
 // Throws Error (scene) for a film or a scene past what 32-bit indices can name, and Error
 // (internal) for a material that has not one row for each parameter of its model. A model that

@@ -2,14 +2,12 @@
 #include "render/session.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
-#include "base/kernel_text.h"
 #include "base/timer.h"
 #include "cl/binary_cache.h"
 #include "cl/kernel_args.h"
-#include "cl/source.h"
-#include "render/lanes.h"
 
 namespace lobe {
 namespace {
@@ -80,63 +78,39 @@ struct Session::Buffers {
     }
 };
 
+Session::Session(const Device& device, RenderKernel kernel, const PackedScene& scene,
+                 Watchdog* watchdog)
+    : device_(device), kernel_(std::move(kernel)), frame_(scene.frame) {
+    upload(scene, watchdog);
+}
+
 Session::Session(const Device& device, const KernelText& kernels, const PackedScene& scene,
                  const SessionOptions& options)
-    : device_(device), options_(options), frame_(scene.frame) {
-    const std::string header =
-        scene_header(scene.features, scene.models, scene.integrator,
-                     options.abreast ? options.abreast : suitable_lanes(device.info()));
-    const std::string source = flatten(kernels, "render.cl", {{"lobe_scene.h", header}});
-    program_ = build_program(device, source, {options.double_precision});
-    render_ = program_.kernel("render");
-    fit_work_group();
-    upload(scene);
-    warm_up();
-}
+    : Session(device, RenderKernel(device, kernels, scene, options), scene, options.watchdog) {}
 
 Session::~Session() = default;
 
-void Session::upload(const PackedScene& scene) {
+void Session::upload(const PackedScene& scene, Watchdog* watchdog) {
     const Stopwatch watch;
     const std::size_t limit = std::min<std::size_t>(sums_bytes, device_.info().largest_allocation) /
                               (tile_sums * sizeof(LobeBlockSum));
     max_tiles_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(
         limit, 1, std::min(grid_limit / LOBE_TILE, std::max(tile_count(frame_), least_jobs))));
     buffers_ = std::make_unique<Buffers>(device_, scene, max_tiles_);
-    prepare_materials(scene.materials.size());
+    prepare_materials(scene.materials.size(), watchdog);
     Buffers& b = *buffers_;
-    set_args(render_, b.frame, b.nodes, b.triangle_leaves, b.sphere_leaves, b.triangles, b.vertices,
-             b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_nodes, b.tables,
-             b.filter, b.jobs, b.sums, b.status, b.statistics);
+    set_args(kernel_.render, b.frame, b.nodes, b.triangle_leaves, b.sphere_leaves, b.triangles,
+             b.vertices, b.spheres, b.surfaces, b.materials, b.prepared, b.lights, b.light_nodes,
+             b.tables, b.filter, b.jobs, b.sums, b.status, b.statistics);
     upload_seconds_ = watch.seconds();
 }
 
-// Devices and kernels may allow fewer work-items in a group; the bits do not depend on it.
-void Session::fit_work_group() {
-    const auto most = checked(
-        [&] { return render_.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_.device()); });
-    auto& [x, y] = options_.local;
-    while (std::size_t{x} * y > most && x * y > 1) (x > y ? x : y) /= 2;
-}
-
-// An empty launch: runtimes that make the native code late, as PoCL does, make it here and not in
-// the time of the render.
-void Session::warm_up() {
-    const Stopwatch watch;
-    frame_.tiles = 0;
-    buffers_->frame.write(&frame_, 1);
-    const auto [x, y] = options_.local;
-    launch(device_, render_, cl::NDRange(x, y), cl::NDRange(x, y));
-    device_.finish();
-    warm_up_seconds_ = watch.seconds();
-}
-
-void Session::prepare_materials(std::size_t count) {
+void Session::prepare_materials(std::size_t count, Watchdog* watchdog) {
     if (count == 0) return;
     Buffers& b = *buffers_;
-    cl::Kernel prepare = program_.kernel("prepare");
+    cl::Kernel prepare = kernel_.program.kernel("prepare");
     set_args(prepare, b.materials, b.rows, b.prepared, static_cast<cl_uint>(count), b.status);
-    const Watchdog::Launch watched(options_.watchdog, 0);
+    const Watchdog::Launch watched(watchdog, 0);
     launch(device_, prepare, cl::NDRange(count), cl::NDRange(1));
     device_.finish();
 }
@@ -154,9 +128,9 @@ void Session::render_tiles(const LobeTileJob* jobs, std::uint32_t count, std::ui
     buffers_->jobs.write(jobs, count);
     counters_.assign(std::size_t{count} * LOBE_STATISTIC_COUNT, 0);
     buffers_->statistics.write(counters_.data(), counters_.size());
-    const auto [x, y] = options_.local;
-    launch(device_, render_, cl::NDRange(round_up(LOBE_TILE, x), round_up(LOBE_TILE * count, y)),
-           cl::NDRange(x, y));
+    const auto [x, y] = kernel_.local;
+    launch(device_, kernel_.render,
+           cl::NDRange(round_up(LOBE_TILE, x), round_up(LOBE_TILE * count, y)), cl::NDRange(x, y));
     buffers_->sums.read(sums, count * tile_sums);
     buffers_->statistics.read(counters_.data(), counters_.size());
     statistics_.add(counters_);
@@ -175,13 +149,14 @@ std::optional<std::size_t> Session::private_bytes() const {
     const DeviceInfo& info = device_.info();
     if (info.platform == "Portable Computing Language" && info.type & CL_DEVICE_TYPE_CPU) return {};
     try {
-        const auto bytes = render_.getWorkGroupInfo<CL_KERNEL_PRIVATE_MEM_SIZE>(device_.device());
+        const auto bytes =
+            kernel_.render.getWorkGroupInfo<CL_KERNEL_PRIVATE_MEM_SIZE>(device_.device());
         if (bytes > 0) return static_cast<std::size_t>(bytes);
     } catch (const cl::Error&) {
     }
     return {};
 }
 
-void Session::keep_program() const { save_binary(device_, program_); }
+void Session::keep_program() const { save_binary(device_, kernel_.program); }
 
 }  // namespace lobe

@@ -8,22 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "build/pack.h"
 #include "cl/buffer.h"
-#include "cl/program.h"
+#include "render/render_kernel.h"
 #include "render/statistics.h"
 #include "render/watchdog.h"
 #include "shared/status.h"
 
 namespace lobe {
 
-class KernelText;
-
-struct SessionOptions {
-    bool double_precision = false;        // the oracle build
-    std::array<unsigned, 2> local{8, 8};  // work-group: any gives the same bits
-    unsigned abreast = 0;  // samples that a work-item takes side by side, 1 or 8 with the same
-                           // bits; 0: what suits the device
+struct SessionOptions : KernelOptions {
     Watchdog* watchdog = nullptr;  // looks after the preparation of the materials
 };
 
@@ -38,7 +31,10 @@ struct RenderStatus {
 
 class Session {
   public:
-    // Builds the kernel for the scene, uploads the scene and prepares its materials.
+    // Uploads the scene and prepares its materials. The kernel is the scene's.
+    Session(const Device& device, RenderKernel kernel, const PackedScene& scene,
+            Watchdog* watchdog = nullptr);
+    // Builds that kernel first.
     Session(const Device& device, const KernelText& kernels, const PackedScene& scene,
             const SessionOptions& options = {});
     ~Session();
@@ -63,36 +59,32 @@ class Session {
     // Of all samples so far.
     const RenderStatistics& statistics() const { return statistics_; }
     // Building the program and its first, empty launch.
-    double compile_seconds() const { return program_.build_seconds + warm_up_seconds_; }
+    double compile_seconds() const { return kernel_.seconds; }
     double upload_seconds() const { return upload_seconds_; }
-    bool compiled_from_cache() const { return program_.cached; }
+    bool compiled_from_cache() const { return kernel_.program.cached; }
     std::size_t device_bytes() const;
 
     // What the device tells of the kernel, if it does: bytes of private memory that a work-item
     // has, and of the program's binary, asking for which may cost a compilation.
     std::optional<std::size_t> private_bytes() const;
-    std::optional<std::size_t> binary_bytes() const { return lobe::binary_bytes(program_); }
+    std::optional<std::size_t> binary_bytes() const { return lobe::binary_bytes(kernel_.program); }
 
     // Keeps the compiled program for later runs where that pays; call it after the render.
     void keep_program() const;
 
   private:
     struct Buffers;
-    void upload(const PackedScene& scene);
-    void prepare_materials(std::size_t count);
-    void fit_work_group();
-    void warm_up();
+    void upload(const PackedScene& scene, Watchdog* watchdog);
+    void prepare_materials(std::size_t count, Watchdog* watchdog);
 
     const Device& device_;
-    SessionOptions options_;
+    RenderKernel kernel_;
     LobeFrame frame_;
-    Program program_;
-    cl::Kernel render_;
     std::unique_ptr<Buffers> buffers_;
     std::vector<std::uint32_t> counters_;  // of the tiles of a launch
     RenderStatistics statistics_;
     std::uint32_t max_tiles_ = 0;
-    double upload_seconds_ = 0, warm_up_seconds_ = 0;
+    double upload_seconds_ = 0;
 };
 
 }  // namespace lobe

@@ -25,11 +25,6 @@ struct ImageFile {
 
 // The module's functions; `error` stays empty or says what went wrong.
 extern "C" {
-using WriteImage = void (*)(const char* path, const char* format, const ImageFile& image,
-                            std::string& error);
-// The same, as the bytes of the file.
-using EncodeImage = void (*)(const char* format, const ImageFile& image, std::string& bytes,
-                             std::string& error);
 using ReadImage = void (*)(const char* path, ImageFile& image, std::string& error);
 // Paints texts, whose unit is here the pixel, in the font of a file.
 using DrawTexts = void (*)(ImageFile& image, const char* font, const std::vector<Text>& texts,

@@ -5,17 +5,18 @@
 #include <cctype>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "base/module.h"
+#include "report/exr_file.h"
+#include "report/png_file.h"
 
 namespace lobe {
 
 struct ImageIo::Module {
     lobe::Module file{"lobe_image.so"};
-    WriteImage write = file.function<WriteImage>("lobe_write_image");
-    EncodeImage encode = file.function<EncodeImage>("lobe_encode_image");
     ReadImage read = file.function<ReadImage>("lobe_read_image");
     DrawTexts draw_texts = file.function<DrawTexts>("lobe_draw_texts");
 };
@@ -23,15 +24,9 @@ struct ImageIo::Module {
 ImageIo::ImageIo() = default;
 ImageIo::~ImageIo() = default;
 
-void ImageIo::begin() {
-    if (module_ || opening_.valid()) return;
-    opening_ = std::async(std::launch::async, [] { return std::make_unique<Module>(); });
-}
-
-ImageIo::Module& ImageIo::module() {
-    begin();
-    if (!module_) module_ = opening_.get();
-    if (!module_->write || !module_->encode || !module_->read || !module_->draw_texts)
+const ImageIo::Module& ImageIo::module() {
+    if (!module_) module_ = std::make_unique<const Module>();
+    if (!module_->read || !module_->draw_texts)
         throw Error(ExitCode::output,
                     "the image module lobe_image.so cannot be opened: " + module_->file.error(), "",
                     "it belongs beside the program, and OpenImageIO must be installed");
@@ -75,22 +70,31 @@ void compare(const ImageFile& wanted, const ImageFile& found, const std::string&
 
 void ImageIo::write(const std::string& path, const ImageFile& image) {
     AtomicFile file(path);
-    std::string error;
-    module().write(file.temporary().c_str(), image_format(path).c_str(), image, error);
-    if (!error.empty()) throw Error(ExitCode::output, "cannot write the picture: " + error, path);
     ImageFile back;
-    module().read(file.temporary().c_str(), back, error);
-    if (!error.empty())
-        throw Error(ExitCode::output, "the written picture cannot be read: " + error, path);
+    try {
+        if (image_format(path) == "exr") {
+            write_exr(file.temporary(), image);
+            back = read_exr(file.temporary());
+        } else {
+            std::ofstream(file.temporary(), std::ios::binary) << to_png(image);
+            back = from_png(read_file(file.temporary()));
+        }
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw Error(ExitCode::output, std::string("cannot write the picture: ") + error.what(),
+                    path);
+    }
     compare(image, back, path);
     file.commit();
 }
 
 std::string ImageIo::png(const ImageFile& image) {
-    std::string bytes, error;
-    module().encode("png", image, bytes, error);
-    if (!error.empty()) throw Error(ExitCode::output, "cannot encode a picture: " + error);
-    return bytes;
+    try {
+        return to_png(image);
+    } catch (const std::runtime_error& error) {
+        throw Error(ExitCode::output, std::string("cannot encode a picture: ") + error.what());
+    }
 }
 
 ImageFile ImageIo::read(const std::string& path) {

@@ -14,6 +14,7 @@
 
 namespace lobe {
 
+// Seconds. The kernel is compiled while hierarchies are built: parts may add up to more than all.
 struct RenderTimes {
     double parse = 0, bvh = 0, compile = 0, upload = 0, render = 0, write = 0, total = 0;
 };

@@ -90,10 +90,11 @@ real3 sent_light(const Surface* surface, const LightSample* light, const Scatter
 }
 
 // Whether the path, whose throughput is not black, goes on; if it does, its throughput pays for
-// those that did not. The survival probability is not capped: a cap makes the variance infinite in
-// bright closed scenes.
+// those that did not. Paths that still carry a quarter of what they began with all go on: to end
+// them saves less time than their noise costs. The survival probability is not capped: a cap makes
+// the variance infinite in bright closed scenes.
 int survives(real3* throughput, real number, uint depth) {
-    real q = largest_component(*throughput);
+    real q = 4 * largest_component(*throughput);
     if (depth < LOBE_ROULETTE_DEPTH || q >= 1) return 1;
     if (number >= q) return 0;
     *throughput /= q;

@@ -185,10 +185,15 @@ TEST_F(BrdfNumbersFloat, PointsOfLobes) {
         EXPECT_LE(end.good_x.worst, 2e-6) << row.n;
         EXPECT_LE(end.good_t.worst, 6e-7) << row.n;
         EXPECT_LE(end.good_sine.worst, 3e-7) << row.n;
-        if (row.n == 10) EXPECT_NEAR(end.t.worst, .35, .06);
-        if (row.median_x > 0) EXPECT_NEAR(std::log2(middle.x.median / row.median_x), 0, 1) << row.n;
-        if (row.median_sine > 0)
+        if (row.n == 10) {
+            EXPECT_NEAR(end.t.worst, .35, .06);
+        }
+        if (row.median_x > 0) {
+            EXPECT_NEAR(std::log2(middle.x.median / row.median_x), 0, 1) << row.n;
+        }
+        if (row.median_sine > 0) {
             EXPECT_NEAR(std::log2(middle.sine.median / row.median_sine), 0, .3) << row.n;
+        }
     }
     EXPECT_NEAR(errors(1, even).x.nonfinite, 1, 1e-6);  // NaN at n = 1
     EXPECT_NEAR(errors(1 + 1e-6, even).x.median, .045, .02);

@@ -30,9 +30,11 @@ Scene room(std::uint32_t size) {
 
 }  // namespace
 
+// The lamp hangs well below the ceiling: close to it, light samples have tails for which Student's
+// distribution is wrong.
 TEST(HostTracer, RoomWithATriangleLamp) {
     Scene scene = room(32);
-    shine(add(scene, rectangle({-0.4, 0.98, 2.6}, {0.8, 0, 0}, {0, 0, 0.8})), 6, true);
+    shine(add(scene, rectangle({-0.4, 0.6, 2.6}, {0.8, 0, 0}, {0, 0, 0.8})), 6, true);
     const Picture picture = render_picture(scene, {256});
     EXPECT_TRUE(blocks_agree(picture, trace_on_host(scene, 64, 1, false), tests));
     EXPECT_TRUE(blocks_agree(picture, trace_on_host(scene, 64, 2, true), tests));

@@ -75,6 +75,20 @@ TEST(BuildFeatures, WhatIsLeftOutButNeededIsMissed) {
     }
 }
 
+// The kernel is compiled before the scene is packed.
+TEST(BuildFeatures, NeedsAreKnownBeforeTheSceneIsPacked) {
+    Scene scene = scene_of_everything();
+    PackOptions options = all_models_at_hand();
+    for (const bool all : {false, true}) {
+        options.all_features = all;
+        const KernelNeeds needs = kernel_needs(scene, options);
+        const PackedScene packed = pack_scene(scene, options);
+        EXPECT_EQ(scene_header(needs.features, needs.models, needs.integrator),
+                  scene_header(packed.features, packed.models, packed.integrator));
+        EXPECT_EQ(needs.models.size() == options.models.size(), all);
+    }
+}
+
 TEST(BuildFeatures, AVariantForEachPartLeftOut) {
     const PackOptions options = all_models_at_hand();
     Scene scene = scene_of_everything();

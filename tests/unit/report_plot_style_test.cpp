@@ -13,6 +13,7 @@ TEST(PlotStyle, NumbersAreShort) {
     EXPECT_EQ(plot_number(-0.0), "0");
     EXPECT_EQ(plot_number(1000), "1000");
     EXPECT_EQ(plot_number(0.001), "0.001");
+    EXPECT_EQ(plot_number(1e4), "10⁴");
     EXPECT_EQ(plot_number(1e6), "10⁶");
     EXPECT_EQ(plot_number(1e-12), "10⁻¹²");
     EXPECT_EQ(plot_number(2.5e7), "2.5·10⁷");

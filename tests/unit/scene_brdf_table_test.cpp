@@ -80,7 +80,9 @@ TEST(BrdfTable, ReadsAddedModels) {
     std::size_t own = 0;
     for (const BrdfTable& table : read_brdf_tables(kernels)) {
         own += table.own;
-        if (table.own) EXPECT_EQ(table.name + " " + table.file, "velvet dir/velvet.cl");
+        if (table.own) {
+            EXPECT_EQ(table.name + " " + table.file, "velvet dir/velvet.cl");
+        }
     }
     EXPECT_EQ(own, 1u);
     EXPECT_EQ(read_brdf_tables(kernels).size(), read_brdf_tables(KernelText()).size() + 1);

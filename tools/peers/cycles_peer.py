@@ -9,7 +9,6 @@ import json
 import math
 import os
 import sys
-import time
 
 import bpy
 from mathutils import Matrix, Vector
@@ -123,17 +122,9 @@ def main():
         place_shape(i, s)
     place_camera(scene["camera"])
     settings(scene, request)
-    clock = {}
-
-    def stats(text, *_):
-        if isinstance(text, str) and "Sample " in text:
-            clock.setdefault("start", time.monotonic())
-
-    bpy.app.handlers.render_stats.append(stats)  # before sampling come export and hierarchy
     bpy.ops.render.render(write_still=True)
     with open(request["result"], "w", encoding="utf-8") as out:
-        json.dump({"render_s": time.monotonic() - clock["start"], "spp": request["spp"], "scale": 1,
-                   "version": bpy.app.version_string}, out)
+        json.dump({"spp": request["spp"], "scale": 1, "version": bpy.app.version_string}, out)
 
 
 main()

@@ -6,6 +6,7 @@ family make the same picture and share a reference.
 """
 import json
 import os
+import re
 import shutil
 import subprocess
 from dataclasses import dataclass
@@ -104,6 +105,14 @@ def request(renderer, scene, options, spp, seed, stem):
     return [options.python, script, stem + ".request"]
 
 
+def sampling_seconds(log):
+    """What Blender says that sampling took, to 0.01 s: export and hierarchy come before."""
+    with open(log, encoding="utf-8", errors="replace") as source:
+        clock = [60 * int(minutes) + float(seconds) for minutes, seconds in
+                 re.findall(r"Time:(\d+):(\d+\.\d+) .*(?:Sample 0/|Finished)", source.read())]
+    return clock[-1] - clock[0]
+
+
 def read(renderer, options, stem):
     """Luminances, seconds of rendering alone, and the samples a pixel in fact taken."""
     with open(stem + ".json", encoding="utf-8") as source:
@@ -114,6 +123,6 @@ def read(renderer, options, stem):
         picture, n = pictures.read_exr(stem + ".picture"), options.size
         for row in range(0, n * n, n):
             picture[row:row + n] = picture[row:row + n][::-1]
-        return picture, result["render_s"], result["spp"]
+        return picture, sampling_seconds(stem + ".log"), result["spp"]
     picture = pictures.read_raw(stem + ".picture", result["scale"])
     return picture, result["render_s"], result["spp"]

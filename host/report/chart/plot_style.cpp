@@ -71,7 +71,7 @@ Ink series_ink(std::size_t i, std::size_t count) {
 std::string plot_number(double value) {
     if (value == 0) return "0";  // and never -0
     const double exponent = std::floor(std::log10(std::abs(value)) + 1e-9);
-    if (exponent > -4 && exponent < 5) {
+    if (exponent > -4 && exponent < 4) {
         char text[32];
         std::snprintf(text, sizeof text, "%.4g", value);
         return text;
