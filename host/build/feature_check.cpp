@@ -27,10 +27,7 @@ void check_features(const PackedScene& packed) {
     check(Feature::POINT_LIGHTS, has_light(LOBE_LIGHT_POINT));
     check(Feature::DISTANT_LIGHTS, has_light(LOBE_LIGHT_DISTANT));
     check(Feature::MANY_LIGHTS, lights.size() > 1);
-    check(Feature::ENVIRONMENT,
-          frame.environment_r != 0 || frame.environment_g != 0 || frame.environment_b != 0);
     check(Feature::THIN_LENS, frame.lens_radius > 0);
-    check(Feature::FILTER_TABLE, frame.filter_table != 0);
 }
 
 }  // namespace lobe

@@ -66,9 +66,7 @@ FeatureSet derive_features(const Scene& scene) {
     std::size_t lights = scene.point_lights.size() + scene.distant_lights.size();
     for (const Shape& shape : scene.shapes) lights += emitting_primitives(shape);
     if (lights > 1) d.need(Feature::MANY_LIGHTS, std::to_string(lights) + " lights");
-    if (scene.environment) d.need(Feature::ENVIRONMENT, "an infinite light");
     if (scene.camera.lens_radius > 0) d.need(Feature::THIN_LENS, "the camera's lens radius");
-    if (scene.filter.kind != FilterKind::box) d.need(Feature::FILTER_TABLE, "the pixel filter");
 
     d.spare(Feature::SPHERES, "no shape is a sphere");
     d.spare(Feature::FETCH_AHEAD, "caches hold the shapes, or most of them");
@@ -78,9 +76,7 @@ FeatureSet derive_features(const Scene& scene) {
     d.spare(Feature::POINT_LIGHTS, "no point light");
     d.spare(Feature::DISTANT_LIGHTS, "no distant light");
     d.spare(Feature::MANY_LIGHTS, lights ? "there is but one light" : "no light to choose");
-    d.spare(Feature::ENVIRONMENT, "no infinite light");
     d.spare(Feature::THIN_LENS, "the camera is a pinhole");
-    d.spare(Feature::FILTER_TABLE, "the pixel filter is a box");
     return d.set();
 }
 

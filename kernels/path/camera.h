@@ -24,7 +24,7 @@ real2 film_point(global const LobeFrame* frame, global const float* filter, uint
     real2 centre = (real2)(pixel.x + R(0.5), pixel.y + R(0.5));
     real2 side = 2 * u - 1;
     *weight = 1;
-    if (!LOBE_HAS_FILTER_TABLE || !frame->filter_table) {
+    if (!frame->filter_table) {
         return centre + side * (real2)(frame->filter_radius_x, frame->filter_radius_y);
     }
     real x = filter_offset(filter, frame->filter_radius_x, side.x);

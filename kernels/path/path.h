@@ -33,10 +33,8 @@ typedef struct {
 
 // Ends a path with what is beyond everything.
 void escape(Path* path, global const LobeFrame* frame, uint depth, PathCounts* counts) {
-    if (LOBE_HAS_ENVIRONMENT) {
-        path->radiance += path->throughput *
-                          (real3)(frame->environment_r, frame->environment_g, frame->environment_b);
-    }
+    path->radiance += path->throughput *
+                      (real3)(frame->environment_r, frame->environment_g, frame->environment_b);
     count_end(counts, LOBE_STATISTIC_ESCAPED, depth);
 }
 

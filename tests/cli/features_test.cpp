@@ -48,7 +48,6 @@ TEST_F(Cli, FeaturesInWords) {
           "in   SPHERES          shape at scene.pbrt:10:5\n",
           "in   SPHERE_LIGHTS    emitting shape at scene.pbrt:10:5\n",
           "out  TRIANGLE_LIGHTS  no triangle emits\n", "out  POINT_LIGHTS     no point light\n",
-          "in   ENVIRONMENT      an infinite light\n",
           "out  THIN_LENS        the camera is a pinhole\n",
           "in   models           lambert rational\n"})
         EXPECT_NE(result.out.find(line), std::string::npos) << line << result.out;
@@ -71,8 +70,6 @@ TEST_F(Cli, FeaturesFollowTheOptions) {
         words.insert(words.begin(), {"features", "scene.pbrt", "--json", "-"});
         return nlohmann::json::parse(lobe(words).out);
     };
-    EXPECT_EQ(feature(json({}), "FILTER_TABLE")["in"], true);
-    EXPECT_EQ(feature(json({"--filter", "box:0.5"}), "FILTER_TABLE")["in"], false);
     EXPECT_EQ(json({"--replace", "rational=phong"})["brdfs"], nlohmann::json({"lambert", "phong"}));
     const auto all = json({"--features", "all"});
     for (const auto& entry : all["features"]) EXPECT_EQ(entry["in"], true) << entry;

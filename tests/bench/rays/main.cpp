@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/statistics.h"
 #include "rays/tracers.h"
+#include "study/bench/growth_scenes.h"
 
 using namespace lobe;
 using namespace lobe::bench;
