@@ -5,15 +5,15 @@
 #include "path/block.h"
 #include "path/film.h"
 
-kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
-                   global const LobeTriangleLeaf* triangle_leaves,
-                   global const LobeSphereLeaf* sphere_leaves, global const LobeTriangle* triangles,
-                   global const LobeVertex* vertices, global const LobeSphere* spheres,
-                   global const LobeSurface* surfaces, global const LobeMaterial* materials,
-                   global const uchar* prepared, global const LobeLight* lights,
-                   global const LobeLightNode* light_nodes, global const float* tables,
-                   global const float* filter, global const LobeTileJob* jobs,
-                   global LobeBlockSum* sums, global uint* status, global uint* statistics) {
+kernel WIDE_WORK_ITEMS void render(
+    global const LobeFrame* frame, global const LobeNode* nodes,
+    global const LobeTriangleLeaf* triangle_leaves, global const LobeSphereLeaf* sphere_leaves,
+    global const LobeTriangle* triangles, global const LobeVertex* vertices,
+    global const LobeSphere* spheres, global const LobeSurface* surfaces,
+    global const LobeMaterial* materials, global const uchar* prepared,
+    global const LobeLight* lights, global const LobeLightNode* light_nodes,
+    global const float* tables, global const float* filter, global const LobeTileJob* jobs,
+    global LobeBlockSum* sums, global uint* status, global uint* statistics) {
     uint slot = get_global_id(1) / LOBE_TILE;
     uint2 place = (uint2)(get_global_id(0), get_global_id(1) % LOBE_TILE);
     if (place.x >= LOBE_TILE || slot >= frame->tiles) return;
@@ -47,8 +47,9 @@ kernel void render(global const LobeFrame* frame, global const LobeNode* nodes,
 }
 
 // Makes every material's prepared form, once before the first launch.
-kernel void prepare(global const LobeMaterial* materials, global const LobeRow* rows,
-                    global uchar* prepared, uint count, global uint* status) {
+kernel WIDE_WORK_ITEMS void prepare(global const LobeMaterial* materials,
+                                    global const LobeRow* rows, global uchar* prepared, uint count,
+                                    global uint* status) {
     uint i = get_global_id(0);
     if (i >= count) return;
     if (!prepare_material(materials[i].model, rows + materials[i].first_row,

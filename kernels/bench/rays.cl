@@ -114,9 +114,11 @@ kernel void bench_follow(global const LobeTriangle* triangles, global const Lobe
     store_ray(&bounce, 1, &bounces[i]);
 }
 
-kernel void bench_nearest(global const LobeNode* nodes, global const LobeTriangleLeaf* triangles,
-                          global const LobeSphereLeaf* spheres, uint count,
-                          global const LobeBenchRay* rays, global LobeBenchHit* hits) {
+kernel WIDE_WORK_ITEMS void bench_nearest(global const LobeNode* nodes,
+                                          global const LobeTriangleLeaf* triangles,
+                                          global const LobeSphereLeaf* spheres, uint count,
+                                          global const LobeBenchRay* rays,
+                                          global LobeBenchHit* hits) {
     uint i = get_global_id(0);
     if (i >= count) return;
     Geometry geometry = {nodes, triangles, spheres};
@@ -126,9 +128,11 @@ kernel void bench_nearest(global const LobeNode* nodes, global const LobeTriangl
 }
 
 // Eight rays a work-item, as a work-item of the renderer sends its camera rays.
-kernel void bench_together(global const LobeNode* nodes, global const LobeTriangleLeaf* triangles,
-                           global const LobeSphereLeaf* spheres, uint count,
-                           global const LobeBenchRay* rays, global LobeBenchHit* hits) {
+kernel WIDE_WORK_ITEMS void bench_together(global const LobeNode* nodes,
+                                           global const LobeTriangleLeaf* triangles,
+                                           global const LobeSphereLeaf* spheres, uint count,
+                                           global const LobeBenchRay* rays,
+                                           global LobeBenchHit* hits) {
     uint first = get_global_id(0) * 8;
     if (first >= count) return;
     Geometry geometry = {nodes, triangles, spheres};
@@ -144,9 +148,10 @@ kernel void bench_together(global const LobeNode* nodes, global const LobeTriang
 }
 
 // primitive: 0 if something stands in the way, LOBE_NONE if not.
-kernel void bench_any(global const LobeNode* nodes, global const LobeTriangleLeaf* triangles,
-                      global const LobeSphereLeaf* spheres, uint count,
-                      global const LobeBenchRay* rays, global LobeBenchHit* hits) {
+kernel WIDE_WORK_ITEMS void bench_any(global const LobeNode* nodes,
+                                      global const LobeTriangleLeaf* triangles,
+                                      global const LobeSphereLeaf* spheres, uint count,
+                                      global const LobeBenchRay* rays, global LobeBenchHit* hits) {
     uint i = get_global_id(0);
     if (i >= count) return;
     Geometry geometry = {nodes, triangles, spheres};

@@ -5,6 +5,10 @@
 
 #include "core/real.h"
 
+// Of kernels whose work-items compute with vectors of eight: a runtime that put several of them
+// side by side on a CPU, as Intel's would, made gathers of their loads (rays five times as slow).
+#define WIDE_WORK_ITEMS __attribute__((vec_type_hint(float8)))
+
 // Lanes set in a mask, as a word to count down with `first_lane` and `next_lanes`.
 #if defined(__AVX__) && !LOBE_DOUBLE && !defined(LOBE_PORTABLE_LANES)
 typedef uint lane_set;
