@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // With text.cpp the only code that knows OpenImageIO. It is a module of its own, opened on demand:
-// loading that library costs some 0.2 s and 130 MB, which `lobe --help` should not pay.
+// loading that library costs some 0.2 s and 130 MB, which no render should pay.
 #include <OpenImageIO/imageio.h>
 
 #include "report/image_file.h"
