@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // lobe render: the main job, from a scene file to pictures with their error and their time.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -147,18 +145,6 @@ PackedScene prepare(const Options& options, KernelText& kernels, BackgroundStart
     return packed;
 }
 
-// Better refused now than killed hours later.
-void check_host_memory(const Session& session, const RenderGoals& goals) {
-    const double needed =
-        Film::peak_bytes(static_cast<double>(session.width()) * session.height(), goals.samples);
-    const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
-    if (needed > there)
-        throw Error(ExitCode::device,
-                    "the film needs " + bytes_text(needed) + " of host memory, there are " +
-                        bytes_text(there),
-                    "", "render a part with --crop, or fewer samples");
-}
-
 int stopped_early() {
     note("stopped before the first sample: nothing is written");
     return stop_exit_code();
@@ -201,7 +187,7 @@ int run(const Options& options) {
     Watchdog watchdog(options.watchdog, [&](double seconds) { job.end_hung(seconds); });
     const auto session = open_session(start, kernels, packed, watchdog);
     free_shapes(packed);
-    check_host_memory(*session, goals);
+    Film::check_memory(static_cast<double>(session->width()) * session->height(), goals.samples);
     job.render(*session, goals, options.seed, watchdog);
     warn_of_status(*report.status);
     if (report.picture.mean_samples == 0) return stopped_early();  // not worth the old picture

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/film.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+
+#include "base/error.h"
+#include "base/progress.h"
 
 namespace lobe {
 namespace {
@@ -46,6 +51,16 @@ double Film::peak_bytes(double pixels, std::uint64_t samples) {
     const double block = LOBE_REPLICATES * sizeof(LobeBlockSum);
     return pixels *
            (subtrees * LOBE_REPLICATES * 3 * sizeof(double) + block + sizeof(std::uint32_t));
+}
+
+void Film::check_memory(double pixels, std::uint64_t samples) {
+    const double needed = peak_bytes(pixels, samples);
+    const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
+    if (needed > there)
+        throw Error(ExitCode::device,
+                    "the film needs " + bytes_text(needed) + " of host memory, there are " +
+                        bytes_text(there),
+                    "", "render a part with --crop, or fewer samples");
 }
 
 void Film::add_tile(std::uint32_t tile, const LobeBlockSum* sums, std::uint32_t samples) {

@@ -43,6 +43,8 @@ class Film {
 
     // Bytes of host memory that a render of so many samples of `pixels` pixels needs at its peak.
     static double peak_bytes(double pixels, std::uint64_t samples);
+    // Throws Error (device) if the host has less: better refused than killed hours later.
+    static void check_memory(double pixels, std::uint64_t samples);
 
     // Adds a tile's next block: sums of LOBE_TILE rows of LOBE_TILE pixels, LOBE_REPLICATES each;
     // those outside the film are not read. Only the last block of a tile may have fewer than

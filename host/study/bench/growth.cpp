@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/bench/growth.h"
 
-#include <unistd.h>
-
 #include <optional>
 #include <utility>
 
@@ -19,22 +17,11 @@
 namespace lobe {
 namespace {
 
-double host_memory() {
-    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-           static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
-void check_film(const RenderSizes& sizes) {
-    const double pixels = static_cast<double>(sizes.film) * static_cast<double>(sizes.film);
-    const double needed = Film::peak_bytes(pixels, sizes.samples);
-    if (needed > 0.8 * host_memory())
-        throw Error(ExitCode::device, "the film needs " + bytes_text(needed) + " of host memory");
-}
-
 // Nothing if it was stopped.
 std::optional<GrowthPoint> measure(const Device& device, const KernelText& kernels,
                                    const RenderSizes& sizes, const std::function<bool()>& stop) {
-    check_film(sizes);
+    const auto pixels = static_cast<double>(sizes.film * sizes.film);
+    Film::check_memory(pixels, sizes.samples);
     GrowthPoint point;
     forget_memory_peak();
     PackedScene packed;
@@ -51,7 +38,7 @@ std::optional<GrowthPoint> measure(const Device& device, const KernelText& kerne
     plan.samples = static_cast<std::uint32_t>(sizes.samples);
     plan.stop = stop;
     std::vector<double> seconds;
-    const auto all = static_cast<double>(sizes.film * sizes.film * sizes.samples);
+    const double all = pixels * static_cast<double>(sizes.samples);
     while (seconds.size() < 3) {
         const RenderOutcome outcome = render(session, plan);
         if (outcome.stopped) return {};
